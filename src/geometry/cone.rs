@@ -1,0 +1,232 @@
+//! The open cone: a frustum or a cylinder without its end discs, as NFF has it.
+
+use glam::DVec3;
+
+use crate::geometry::quadratic::Quadratic;
+use crate::geometry::{QuadraticTest, Ray, Sides, TRange};
+
+/// The surface between a base circle and an apex circle around the axis from base to apex.
+///
+/// With w the unit axis and y the height (p − base)·w over the base, 0 ≤ y ≤ height:
+/// |p − base|² − y² = (r_base + k·y)²,  k = (r_apex − r_base)/height
+///
+/// Equal radii make a cylinder, one radius of 0 a cone with a tip.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Cone {
+    /// The middle of the base circle, in world coordinates.
+    base: DVec3,
+    /// The middle of the apex circle.
+    apex: DVec3,
+    /// From base to apex, unit length.
+    axis: DVec3,
+    /// The distance from base to apex.
+    height: f64,
+    /// r_base ≥ 0.
+    base_radius: f64,
+    /// k: what the radius gains per unit of height.
+    slope: f64,
+    /// r_apex ≥ 0, as it was given.
+    apex_radius: f64,
+}
+
+impl Cone {
+    /// The cone between two circles; what is constant for all rays is computed here.
+    ///
+    /// `None` if base and apex are one point, or both radii are 0, or one is negative.
+    pub fn new(base: DVec3, base_radius: f64, apex: DVec3, apex_radius: f64) -> Option<Self> {
+        let height = (apex - base).length();
+        let radii_fit = 0.0 <= base_radius && 0.0 <= apex_radius && 0.0 < base_radius + apex_radius;
+        if !(radii_fit && 0.0 < height && height.is_finite()) {
+            return None;
+        }
+        Some(Self {
+            base,
+            apex,
+            axis: (apex - base) / height,
+            height,
+            base_radius,
+            slope: (apex_radius - base_radius) / height,
+            apex_radius,
+        })
+    }
+
+    /// The middle of the base circle.
+    pub fn base(&self) -> DVec3 {
+        self.base
+    }
+
+    /// The middle of the apex circle.
+    pub fn apex(&self) -> DVec3 {
+        self.apex
+    }
+
+    /// From base to apex, unit length.
+    pub fn axis(&self) -> DVec3 {
+        self.axis
+    }
+
+    /// The distance from base to apex.
+    pub fn height(&self) -> f64 {
+        self.height
+    }
+
+    /// The radii of the base and of the apex.
+    pub fn radii(&self) -> [f64; 2] {
+        [self.base_radius, self.apex_radius]
+    }
+
+    /// k = (r_apex − r_base)/height.
+    pub fn slope(&self) -> f64 {
+        self.slope
+    }
+
+    /// Where does the ray meet the surface between base and apex?
+    ///
+    /// With m = o − base split into a height m·w and a part m⊥ across the axis, Δ likewise, and R the
+    /// radius at the origin's height, R = r_base + k(m·w):
+    ///
+    /// a = |Δ⊥|² − k²(Δ·w)²,  b = 2[Δ⊥·m⊥ − k(Δ·w)R],  c = |m⊥|² − R²
+    ///
+    /// b² − 4ac = 4(|R·Δ⊥ − k(Δ·w)m⊥|² − |Δ⊥ × m⊥|²), by Lagrange's identity, without cancellation.
+    ///
+    /// A root whose height is not between 0 and `height` is beyond the ends. a = 0 (a ray along a
+    /// generator) leaves one linear root; a ray along the axis of a cylinder has none.
+    ///
+    /// ```
+    /// use glam::DVec3;
+    /// use raystep::{Cone, Ray, Sides, TRange};
+    ///
+    /// let tip = Cone::new(DVec3::ZERO, 2.0, DVec3::new(0.0, 2.0, 0.0), 0.0).unwrap();
+    /// let ray = Ray::new(DVec3::new(-5.0, 1.0, 0.0), DVec3::X); // at y = 1 the radius is 1
+    /// let test = tip.test(&ray, TRange::FORWARD, Sides::Both);
+    /// assert_eq!((test.a, test.b, test.c), (1.0, -10.0, 24.0));
+    /// assert_eq!(test.roots.chosen(), Some(4.0));
+    /// ```
+    #[inline]
+    pub fn test(&self, ray: &Ray, range: TRange, sides: Sides) -> QuadraticTest {
+        let from_base = ray.origin - self.base;
+        let height = from_base.dot(self.axis);
+        let climb = ray.direction.dot(self.axis);
+        let across = from_base - height * self.axis;
+        let direction = ray.direction - climb * self.axis;
+        let radius = self.base_radius + self.slope * height;
+        let narrowing = self.slope * climb;
+
+        let a = direction.length_squared() - narrowing * narrowing;
+        let b = 2.0 * (direction.dot(across) - narrowing * radius);
+        let c = across.length_squared() - radius * radius;
+        let outer = (radius * direction - narrowing * across).length_squared();
+        let passing = direction.cross(across).length_squared();
+
+        let equation = Quadratic {
+            a,
+            b,
+            c,
+            discriminant: 4.0 * (outer - passing),
+            scale: 4.0 * outer,
+        };
+        equation.test(range, sides, |t| {
+            let y = height + t * climb;
+            y < 0.0 || self.height < y
+        })
+    }
+
+    /// The unit normal at a point of the surface, outwards: m⊥/|m⊥| − k·w, normalised.
+    ///
+    /// At the tip, where no normal exists: along the axis, outwards.
+    pub fn normal(&self, point: DVec3) -> DVec3 {
+        let from_base = point - self.base;
+        let across = from_base - from_base.dot(self.axis) * self.axis;
+        let outwards = across.normalize_or_zero() - self.slope * self.axis;
+        outwards.normalize_or(self.axis)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::{Fate, Root, Roots};
+
+    /// Radius 1 around the y axis, from y = 0 to y = 2.
+    fn cylinder() -> Cone {
+        Cone::new(DVec3::ZERO, 1.0, DVec3::new(0.0, 2.0, 0.0), 1.0).unwrap()
+    }
+
+    /// Radius 2 at y = 0, tip at y = 2.
+    fn tip() -> Cone {
+        Cone::new(DVec3::ZERO, 2.0, DVec3::new(0.0, 2.0, 0.0), 0.0).unwrap()
+    }
+
+    #[track_caller]
+    fn check(cone: Cone, origin: [f64; 3], direction: [f64; 3], roots: &[(f64, Fate)]) {
+        let ray = Ray::new(origin.into(), direction.into());
+        let test = cone.test(&ray, TRange::FORWARD, Sides::Both);
+        let found: Vec<_> = test
+            .roots
+            .iter()
+            .map(|Root { t, fate }| (t, fate))
+            .collect();
+        assert_eq!(found, roots, "{test:?}");
+    }
+
+    #[test]
+    fn a_cylinder_is_met_twice_across_its_axis() {
+        let roots = [(4.0, Fate::Chosen), (6.0, Fate::BeyondNearest)];
+        check(cylinder(), [-5.0, 1.0, 0.0], [1.0, 0.0, 0.0], &roots);
+    }
+
+    #[test]
+    fn above_the_apex_both_roots_are_beyond_the_ends() {
+        let roots = [(4.0, Fate::BeyondEnds), (6.0, Fate::BeyondEnds)];
+        check(cylinder(), [-5.0, 2.5, 0.0], [1.0, 0.0, 0.0], &roots);
+    }
+
+    #[test]
+    fn the_cylinder_is_open_so_a_ray_through_its_mouth_hits_the_inside() {
+        // from (0.5, 3, 0) down at 45°: x = 0.5 − t; the near root t = −0.5 lies behind, x = −1 at
+        // t = 1.5 with y = 1.5
+        let roots = [(-0.5, Fate::Behind), (1.5, Fate::Chosen)];
+        check(cylinder(), [0.5, 3.0, 0.0], [-1.0, -1.0, 0.0], &roots);
+    }
+
+    #[test]
+    fn a_ray_along_the_axis_of_a_cylinder_meets_nothing() {
+        check(cylinder(), [0.5, -5.0, 0.0], [0.0, 1.0, 0.0], &[]);
+    }
+
+    #[test]
+    fn a_ray_along_a_generator_has_one_linear_root() {
+        // slope −1, so direction (1, −1, 0)·s runs along a generator: a = 1 − 1 = 0. From (−3, 2, 0)
+        // y = 2 − t, x = −3 + t, surface |x| = 2 − y = t: 3 − t = t at t = 1.5, y = 0.5
+        let ray = Ray::new(DVec3::new(-3.0, 2.0, 0.0), DVec3::new(1.0, -1.0, 0.0));
+        let test = tip().test(&ray, TRange::FORWARD, Sides::Both);
+        assert_eq!(test.a, 0.0);
+        let expected = Root {
+            t: 1.5,
+            fate: Fate::Chosen,
+        };
+        assert_eq!(test.roots, Roots::Linear(expected));
+    }
+
+    #[test]
+    fn the_mirror_cone_above_the_tip_is_beyond_the_ends() {
+        let roots = [(4.0, Fate::BeyondEnds), (6.0, Fate::BeyondEnds)];
+        check(tip(), [-5.0, 3.0, 0.0], [1.0, 0.0, 0.0], &roots);
+    }
+
+    #[test]
+    fn the_normal_leans_away_from_the_tip() {
+        let normal = tip().normal(DVec3::new(1.0, 1.0, 0.0));
+        let expected = DVec3::new(1.0, 1.0, 0.0) / 2f64.sqrt();
+        assert!((normal - expected).length() <= 1e-15, "{normal}");
+        assert_eq!(cylinder().normal(DVec3::new(0.0, 1.0, -1.0)), -DVec3::Z);
+        assert_eq!(tip().normal(DVec3::new(0.0, 2.0, 0.0)), DVec3::Y);
+    }
+
+    #[test]
+    fn a_cone_without_height_or_radius_is_refused() {
+        assert_eq!(Cone::new(DVec3::ONE, 1.0, DVec3::ONE, 1.0), None);
+        assert_eq!(Cone::new(DVec3::ZERO, 0.0, DVec3::Y, 0.0), None);
+        assert_eq!(Cone::new(DVec3::ZERO, -1.0, DVec3::Y, 1.0), None);
+    }
+}

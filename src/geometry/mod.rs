@@ -1,0 +1,36 @@
+//! Pure mathematics that returns its working.
+//!
+//! Each test answers where a ray meets a surface, and hands back every intermediate quantity in a
+//! small struct: that struct is the result and, one layer up, the payload of a trace event. Nothing
+//! here does I/O, records or panics on finite input.
+
+mod r#box;
+mod cone;
+mod ellipsoid;
+mod plane;
+mod point_in_polygon;
+mod polygon;
+mod quadratic;
+mod ray;
+mod reflection;
+mod refraction;
+mod root;
+mod slab;
+mod smooth_normal;
+mod sphere;
+mod twofold;
+
+pub use r#box::{AxisBox, BoxTest};
+pub use cone::Cone;
+pub use ellipsoid::Ellipsoid;
+pub use plane::{Axis, Plane, PlaneTest, PlaneVerdict};
+pub use point_in_polygon::{DecidedBy, EdgeTest, PolygonTest};
+pub use polygon::{Polygon, PolygonError};
+pub use quadratic::{GRAZE, QuadraticTest};
+pub use ray::{Ray, TRange};
+pub use reflection::reflect;
+pub use refraction::{Refraction, refract};
+pub use root::{Fate, Root, Roots, Sides};
+pub use slab::{PARALLEL, SlabInterval, SlabRay};
+pub use smooth_normal::{interpolated_normal, mean_value_weights};
+pub use sphere::Sphere;

@@ -1,0 +1,312 @@
+//! The plane: the slides' equations (iv) and (v).
+
+use glam::{DVec2, DVec3};
+
+use crate::geometry::root::{hidden_side, judged};
+use crate::geometry::{Ray, Root, Sides, TRange};
+
+/// A·x + B·y + C·z + D = 0 … (iv), with (A, B, C) of unit length.
+///
+/// With a unit normal the left side is the signed distance of (x, y, z) from the plane.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Plane {
+    /// (A, B, C), of unit length.
+    pub normal: DVec3,
+    /// D: minus the plane's position along the normal.
+    pub d: f64,
+}
+
+/// A coordinate axis.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Axis {
+    /// The first coordinate.
+    #[default]
+    X,
+    /// The second.
+    Y,
+    /// The third.
+    Z,
+}
+
+impl Axis {
+    /// The axis along which a vector is longest; the first of equals.
+    #[inline]
+    pub fn of_largest(v: DVec3) -> Self {
+        let [x, y, z] = v.abs().to_array();
+        if y <= x && z <= x {
+            Self::X
+        } else if z <= y {
+            Self::Y
+        } else {
+            Self::Z
+        }
+    }
+
+    /// The axis along which a vector is shortest; the first of equals.
+    #[inline]
+    pub(super) fn of_smallest(v: DVec3) -> Self {
+        let [x, y, z] = v.abs().to_array();
+        if x <= y && x <= z {
+            Self::X
+        } else if y <= z {
+            Self::Y
+        } else {
+            Self::Z
+        }
+    }
+
+    /// The point without this coordinate: its orthographic projection along the axis.
+    #[inline]
+    pub fn drop_from(self, p: DVec3) -> DVec2 {
+        match self {
+            Self::X => DVec2::new(p.y, p.z),
+            Self::Y => DVec2::new(p.x, p.z),
+            Self::Z => DVec2::new(p.x, p.y),
+        }
+    }
+
+    /// This coordinate of a point.
+    #[inline]
+    pub fn of(self, p: DVec3) -> f64 {
+        match self {
+            Self::X => p.x,
+            Self::Y => p.y,
+            Self::Z => p.z,
+        }
+    }
+}
+
+/// What equation (v) of a ray and a plane gave.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct PlaneTest {
+    /// (A, B, C) and D.
+    pub plane: Plane,
+    /// A·x₀ + B·y₀ + C·z₀ + D: the distance of the origin from the plane, signed.
+    pub numerator: f64,
+    /// A·Δx + B·Δy + C·Δz: the cosine between ray and normal, for a unit ray.
+    pub denominator: f64,
+    /// Where they meet, or how they are parallel.
+    pub verdict: PlaneVerdict,
+}
+
+/// Does a ray meet a plane?
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum PlaneVerdict {
+    /// The line does, at this t; the root's fate says whether the ray does (erratum 12).
+    Meets(Root),
+    /// Parallel, beside the plane.
+    ParallelBeside,
+    /// Parallel, in the plane: numerator and denominator are both 0.
+    ParallelWithin,
+}
+
+impl Default for PlaneVerdict {
+    fn default() -> Self {
+        Self::Meets(Root::default())
+    }
+}
+
+impl PlaneTest {
+    /// t, if the plane is met where it counts.
+    #[inline]
+    pub fn chosen(&self) -> Option<f64> {
+        match self.verdict {
+            PlaneVerdict::Meets(root) => {
+                (root.fate == crate::geometry::Fate::Chosen).then_some(root.t)
+            }
+            PlaneVerdict::ParallelBeside | PlaneVerdict::ParallelWithin => None,
+        }
+    }
+}
+
+/// A sum of three products counts as 0 within this share of the sum of their magnitudes: the rounding
+/// of the products and of the sum.
+const ZERO: f64 = 4.0 * f64::EPSILON;
+
+impl Plane {
+    /// The plane of a polygon, after Newell: each component of the normal is the area of the outline
+    /// projected along that axis, so that no single corner decides and concave corners do no harm.
+    ///
+    /// A = ½ Σ (yᵢ − yⱼ)(zᵢ + zⱼ), B and C cyclically, j = i + 1; then normalised. D puts the mean of the
+    /// vertices on the plane. The normal points to where the vertices run counter-clockwise.
+    ///
+    /// `None` if the outline has no area: collinear vertices, or fewer than three.
+    pub fn newell(vertices: &[DVec3]) -> Option<Self> {
+        let origin = *vertices.first()?;
+        let mut doubled_area = DVec3::ZERO;
+        let mut mean = DVec3::ZERO;
+        let mut size: f64 = 0.0;
+        for (i, &vertex) in vertices.iter().enumerate() {
+            // relative to the first vertex: an outline far from the world's origin keeps its digits
+            let (p, q) = (vertex - origin, vertices[(i + 1) % vertices.len()] - origin);
+            doubled_area += DVec3::new(
+                (p.y - q.y) * (p.z + q.z),
+                (p.z - q.z) * (p.x + q.x),
+                (p.x - q.x) * (p.y + q.y),
+            );
+            mean += p / vertices.len() as f64;
+            size = size.max(p.abs().max_element());
+        }
+        // below this the area is the rounding of the vertices' own coordinates
+        let rounding = 16.0 * f64::EPSILON * size * (size + origin.abs().max_element());
+        let length = doubled_area.length();
+        if !length.is_finite() || length <= rounding {
+            return None;
+        }
+        let normal = doubled_area / length;
+        let d = 0.0 - normal.dot(origin + mean);
+        Some(Self { normal, d })
+    }
+
+    /// A·x + B·y + C·z + D: how far in front of the plane a point lies.
+    #[inline]
+    pub fn distance(&self, point: DVec3) -> f64 {
+        self.normal.dot(point) + self.d
+    }
+
+    /// Where does the ray meet the plane?
+    ///
+    /// t = −(A·x₀ + B·y₀ + C·z₀ + D) / (A·Δx + B·Δy + C·Δz) … (v)
+    ///
+    /// Parallel if the denominator is 0, that is, within 4ε of the size of its own terms; then in the
+    /// plane if the numerator is 0 by the same measure, else beside it. A denominator above 0 means
+    /// that the ray meets the back.
+    ///
+    /// ```
+    /// use glam::DVec3;
+    /// use raystep::{Plane, Ray, Sides, TRange};
+    ///
+    /// let floor = Plane { normal: DVec3::Y, d: 0.0 };
+    /// let ray = Ray::new(DVec3::new(0.0, 3.0, 0.0), DVec3::new(0.8, -0.6, 0.0));
+    /// let test = floor.test(&ray, TRange::FORWARD, Sides::Both);
+    /// assert_eq!((test.numerator, test.denominator), (3.0, -0.6));
+    /// assert_eq!(test.chosen(), Some(5.0));
+    /// ```
+    #[inline]
+    pub fn test(&self, ray: &Ray, range: TRange, sides: Sides) -> PlaneTest {
+        let numerator = self.distance(ray.origin);
+        let denominator = self.normal.dot(ray.direction);
+
+        let steepness = self.normal.abs().dot(ray.direction.abs());
+        let verdict = if denominator.abs() <= ZERO * steepness {
+            let reach = self.normal.abs().dot(ray.origin.abs()) + self.d.abs();
+            if numerator.abs() <= ZERO * reach {
+                PlaneVerdict::ParallelWithin
+            } else {
+                PlaneVerdict::ParallelBeside
+            }
+        } else {
+            let t = -numerator / denominator;
+            let refused = |_| hidden_side(denominator < 0.0, sides);
+            PlaneVerdict::Meets(judged(t, range, refused))
+        };
+        PlaneTest {
+            plane: *self,
+            numerator,
+            denominator,
+            verdict,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::Fate;
+
+    const FLOOR: Plane = Plane {
+        normal: DVec3::Y,
+        d: 0.0,
+    };
+
+    #[track_caller]
+    fn check(origin: [f64; 3], direction: [f64; 3], verdict: PlaneVerdict) {
+        let ray = Ray::new(origin.into(), direction.into());
+        let test = FLOOR.test(&ray, TRange::FORWARD, Sides::Both);
+        assert_eq!(test.verdict, verdict, "{test:?}");
+    }
+
+    #[test]
+    fn parallel_beside_the_plane_and_in_it_are_told_apart() {
+        check(
+            [0.0, 1.0, 0.0],
+            [1.0, 0.0, 0.0],
+            PlaneVerdict::ParallelBeside,
+        );
+        check(
+            [0.0, 0.0, 0.0],
+            [1.0, 0.0, 0.0],
+            PlaneVerdict::ParallelWithin,
+        );
+        check(
+            [0.0, -0.0, 0.0],
+            [1.0, -0.0, 0.0],
+            PlaneVerdict::ParallelWithin,
+        );
+    }
+
+    #[test]
+    fn a_line_that_meets_the_plane_behind_the_origin_is_no_hit() {
+        let behind = Root {
+            t: -2.0,
+            fate: Fate::Behind,
+        };
+        check(
+            [0.0, 2.0, 0.0],
+            [0.0, 1.0, 0.0],
+            PlaneVerdict::Meets(behind),
+        );
+    }
+
+    #[test]
+    fn the_back_is_refused_where_only_the_front_shows() {
+        let from_below = Ray::new(-DVec3::Y, DVec3::Y);
+        let fate = |sides| match FLOOR.test(&from_below, TRange::FORWARD, sides).verdict {
+            PlaneVerdict::Meets(root) => root.fate,
+            other => panic!("{other:?}"),
+        };
+        assert_eq!(fate(Sides::Both), Fate::Chosen);
+        assert_eq!(fate(Sides::Front), Fate::BackFace);
+        assert_eq!(fate(Sides::Back), Fate::Chosen);
+    }
+
+    #[test]
+    fn newell_gives_the_plane_of_a_tilted_triangle() {
+        // x/1 + y/2 + z/2 = 1, that is 2x + y + z = 2, over √6
+        let [a, b, c] = [DVec3::X, 2.0 * DVec3::Y, 2.0 * DVec3::Z];
+        let plane = Plane::newell(&[a, b, c]).unwrap();
+        let expected = DVec3::new(2.0, 1.0, 1.0) / 6f64.sqrt();
+        assert!((plane.normal - expected).length() <= 1e-15, "{plane:?}");
+        assert!((plane.d + 2.0 / 6f64.sqrt()).abs() <= 1e-15, "{plane:?}");
+    }
+
+    #[test]
+    fn newell_is_not_misled_by_a_concave_first_corner() {
+        let arrow = [(2.0, 1.0), (0.0, 0.0), (4.0, 0.0), (2.0, 4.0)];
+        // first corner between (2,4) and (0,0) is convex; rotate so that the notch comes first
+        let notch = [(1.0, 1.0), (0.0, 4.0), (0.0, 0.0), (4.0, 0.0)];
+        for outline in [arrow, notch] {
+            let vertices: Vec<_> = outline.map(|(x, y)| DVec3::new(x, y, 5.0)).to_vec();
+            let plane = Plane::newell(&vertices).unwrap();
+            assert_eq!((plane.normal, plane.d), (DVec3::Z, -5.0));
+        }
+    }
+
+    #[test]
+    fn an_outline_without_area_has_no_plane() {
+        let line = [DVec3::ZERO, DVec3::ONE, 2.0 * DVec3::ONE];
+        assert_eq!(Plane::newell(&line), None);
+        assert_eq!(Plane::newell(&[DVec3::ZERO, DVec3::X]), None);
+        assert_eq!(Plane::newell(&[]), None);
+    }
+
+    #[test]
+    fn the_largest_coefficient_chooses_the_axis() {
+        assert_eq!(Axis::of_largest(DVec3::new(0.1, -0.9, 0.3)), Axis::Y);
+        assert_eq!(Axis::of_largest(DVec3::new(0.5, 0.5, 0.5)), Axis::X);
+        let p = DVec3::new(1.0, 2.0, 3.0);
+        assert_eq!(Axis::X.drop_from(p), DVec2::new(2.0, 3.0));
+        assert_eq!(Axis::Y.drop_from(p), DVec2::new(1.0, 3.0));
+        assert_eq!(Axis::Z.drop_from(p), DVec2::new(1.0, 2.0));
+    }
+}

@@ -1,0 +1,373 @@
+//! Does the point p where the ray meets the plane lie inside the polygon? (Fig. 15.57)
+//!
+//! The polygon and p are projected along the dropped axis. From p′ a half-line runs in the direction
+//! of the first remaining coordinate, u; p′ is inside if an odd number of edges crosses it
+//! (E. Haines 1994).
+//!
+//! **Near an edge** p′ alone would not do. It is rounded, each polygon rounds it in its own way, and two
+//! neighbours could both refuse a ray that passes their common edge: the surface would leak. So p′
+//! decides where it is clear of every edge by a stated bound on its error. Nearer than that, the *ray*
+//! decides: on which side of it the edge passes is the sign of a volume, computed exactly
+//! (J. Shewchuk 1997, the crate `robust`) from the ray and the edge's end points in an order of their
+//! own. Neighbours ask the same question about the same edge and get the same answer. One uncertain
+//! edge hands all edges of the polygon to the ray, because a count of crossings means something only if
+//! all of them are counted along one half-line.
+//!
+//! The rule for a ray exactly through an edge or a vertex: the ray counts as shifted by less than any
+//! number, first along the axis on which its direction is shortest and then, by less still, so that a
+//! vertex in the counting half-plane comes to lie above it. All polygons shift the same ray the same
+//! way, so exactly one of those around an edge or a vertex of a smooth surface takes it.
+
+use glam::{DVec2, DVec3};
+use robust::{Coord, Coord3D, orient2d, orient3d};
+
+use crate::geometry::{Axis, Polygon, Ray};
+
+/// What decided about the edges of a polygon?
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum DecidedBy {
+    /// The projected point p′: it is clear of every edge.
+    #[default]
+    Point,
+    /// The ray itself: p′ is too near to an edge.
+    Ray,
+}
+
+/// What one edge of the outline adds to the count of crossings.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct EdgeTest {
+    /// The edge runs from vertex `index` to the next one.
+    pub index: u32,
+    /// The first end point, projected.
+    pub from: DVec2,
+    /// The second end point, projected.
+    pub to: DVec2,
+    /// Do the end points lie on different sides of the line through p′ along u? (Decided by the ray:
+    /// of the plane through the ray along its shortest axis.)
+    pub straddles: bool,
+    /// Where the edge passes the ray or p′. Decided by the point: twice the area of the triangle
+    /// from, to, p′; by the ray: six times the volume of the ray and the edge. Only the sign matters.
+    pub side: f64,
+    /// Does the edge count as a crossing?
+    pub counts: bool,
+    /// What decided.
+    pub decided_by: DecidedBy,
+}
+
+/// What the containment test gave.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct PolygonTest {
+    /// The coordinate that was dropped.
+    pub dropped: Axis,
+    /// Its coefficient in (iv), the largest in absolute value.
+    pub coefficient: f64,
+    /// p: where the ray meets the plane.
+    pub point: DVec3,
+    /// p′: p without the dropped coordinate.
+    pub projected: DVec2,
+    /// How many edges count.
+    pub crossings: u32,
+    /// An odd number of crossings.
+    pub inside: bool,
+    /// What decided.
+    pub decided_by: DecidedBy,
+}
+
+impl Polygon {
+    /// Is the point at t of the ray, which lies on the plane, inside the polygon?
+    ///
+    /// Source: slides, "Computing Intersection (Polygon)", Fig. 15.57. Any finite ray and t.
+    ///
+    /// ```
+    /// use glam::DVec3;
+    /// use raystep::{Axis, Polygon, Ray};
+    ///
+    /// let corners = [[0.0, 0.0, 5.0], [4.0, 0.0, 5.0], [0.0, 4.0, 5.0]].map(DVec3::from_array);
+    /// let triangle = Polygon::new(corners.to_vec(), None).unwrap();
+    /// let test = triangle.contains(&Ray::new(DVec3::new(1.0, 1.0, 0.0), DVec3::Z), 5.0);
+    /// assert_eq!((test.dropped, test.inside), (Axis::Z, true));
+    /// assert_eq!(test.crossings, 1); // only the slanted edge lies to the right of p′ = (1, 1)
+    /// ```
+    #[inline]
+    pub fn contains(&self, ray: &Ray, t: f64) -> PolygonTest {
+        let point = ray.at(t);
+        let projected = self.dropped.drop_from(point);
+        let blur = self.blur(ray, t);
+
+        let mut crossings = 0;
+        let mut decided_by = DecidedBy::Point;
+        for index in 0..self.outline.len() {
+            let Some(edge) = self.edge_by_point(index, projected, blur) else {
+                decided_by = DecidedBy::Ray;
+                crossings = self.crossings_by_ray(ray);
+                break;
+            };
+            crossings += u32::from(edge.counts);
+        }
+        PolygonTest {
+            dropped: self.dropped,
+            coefficient: self.dropped.of(self.plane.normal),
+            point,
+            projected,
+            crossings,
+            inside: crossings % 2 == 1,
+            decided_by,
+        }
+    }
+
+    /// The working of `test`, edge by edge: what each added to its crossings.
+    pub fn edges<'a>(
+        &'a self,
+        ray: &Ray,
+        test: PolygonTest,
+    ) -> impl Iterator<Item = EdgeTest> + 'a {
+        let line = RayLine::new(ray);
+        (0..self.outline.len()).filter_map(move |index| match test.decided_by {
+            // a blur of 0 leaves no edge uncertain but those through p′, and there are none
+            DecidedBy::Point => self.edge_by_point(index, test.projected, 0.0),
+            DecidedBy::Ray => Some(self.edge_by_ray(index, &line)),
+        })
+    }
+
+    /// How far may p′ lie from where the exact ray would meet the polygon?
+    ///
+    /// Three errors add up, the first two relative to the numbers that enter (v), and all are
+    /// stretched by how flatly the ray meets the plane, |Δ|/|A·Δx + B·Δy + C·Δz|: the rounding of t,
+    /// the rounding of o + t·Δ, and the vertices' distance from the plane. 32ε covers the some twenty
+    /// roundings of the first two. The third has the rounding of the largest vertex in it, and with that
+    /// the sign of `side` for an edge that p′ is level with but not near.
+    #[inline]
+    fn blur(&self, ray: &Ray, t: f64) -> f64 {
+        let spread = ray.direction.abs().element_sum();
+        let reach = ray.origin.abs().element_sum() + t.abs() * spread + self.plane.d.abs();
+        let rounding = 32.0 * f64::EPSILON * reach;
+        let flatness = spread / self.plane.normal.dot(ray.direction).abs();
+        (rounding + self.off_plane) * flatness
+    }
+
+    /// Does the edge cross the half-line from p′ along u? `None` if p′ is within `blur` of the edge.
+    #[inline]
+    fn edge_by_point(&self, index: usize, p: DVec2, blur: f64) -> Option<EdgeTest> {
+        let from = self.outline[index];
+        let to = self.outline[self.next(index)];
+        let along = to - from;
+        let straddles = (p.y < from.y) != (p.y < to.y);
+        // twice the area of (from, to, p′); over along.y it is how far to the right the edge passes
+        let side = along.x * (p.y - from.y) - along.y * (p.x - from.x);
+
+        let (low, high) = (from.min(to) - blur, from.max(to) + blur);
+        let near = low.x <= p.x && p.x <= high.x && low.y <= p.y && p.y <= high.y;
+        if near {
+            let rounding = 16.0
+                * f64::EPSILON
+                * ((along.x * (p.y - from.y)).abs() + (along.y * (p.x - from.x)).abs());
+            if side.abs() <= blur * (along.x.abs() + along.y.abs()) + rounding {
+                return None;
+            }
+        }
+        Some(EdgeTest {
+            index: index as u32,
+            from,
+            to,
+            straddles,
+            side,
+            counts: straddles && ((0.0 < side) == (0.0 < along.y)),
+            decided_by: DecidedBy::Point,
+        })
+    }
+
+    #[cold]
+    fn crossings_by_ray(&self, ray: &Ray) -> u32 {
+        let line = RayLine::new(ray);
+        let counts = |index| u32::from(self.edge_by_ray(index, &line).counts);
+        (0..self.outline.len()).map(counts).sum()
+    }
+
+    /// Does the edge cross the half-plane that the ray sweeps along its shortest axis?
+    fn edge_by_ray(&self, index: usize, line: &RayLine) -> EdgeTest {
+        let next = self.next(index);
+        let (from, to) = (self.vertices[index], self.vertices[next]);
+        let (from_above, to_above) = (line.has_above(from), line.has_above(to));
+        let straddles = from_above != to_above;
+        // one canonical order: from the end below to the end above, whichever polygon asks
+        let (below, above) = if from_above { (to, from) } else { (from, to) };
+        let side = line.volume(below, above);
+        EdgeTest {
+            index: index as u32,
+            from: self.outline[index],
+            to: self.outline[next],
+            straddles,
+            side,
+            counts: straddles && 0.0 <= side,
+            decided_by: DecidedBy::Ray,
+        }
+    }
+
+    #[inline]
+    fn next(&self, index: usize) -> usize {
+        if index + 1 == self.outline.len() {
+            0
+        } else {
+            index + 1
+        }
+    }
+}
+
+/// The line of a ray, given by two points so that the exact predicates can be asked about it.
+struct RayLine {
+    origin: DVec3,
+    /// A second point, far enough out that its rounding turns the line by no more than ε.
+    ahead: DVec3,
+    /// The axis along which the ray sweeps the counting half-plane.
+    swept: Axis,
+}
+
+impl RayLine {
+    fn new(ray: &Ray) -> Self {
+        let size = ray.direction.abs().max_element();
+        let far = (ray.origin.abs().max_element() / size).max(1.0);
+        let far = if far.is_finite() { far } else { 1.0 };
+        Self {
+            origin: ray.origin,
+            ahead: ray.at(far),
+            swept: Axis::of_smallest(ray.direction),
+        }
+    }
+
+    /// Does the point lie on or above the plane through the ray along the swept axis?
+    fn has_above(&self, point: DVec3) -> bool {
+        let flat = |p: DVec3| {
+            let DVec2 { x, y } = self.swept.drop_from(p);
+            Coord { x, y }
+        };
+        0.0 <= orient2d(flat(self.origin), flat(self.ahead), flat(point))
+    }
+
+    /// Six times the signed volume of the ray's two points and the edge's; the sign is exact.
+    fn volume(&self, below: DVec3, above: DVec3) -> f64 {
+        let coord = |DVec3 { x, y, z }| Coord3D { x, y, z };
+        orient3d(
+            coord(self.origin),
+            coord(self.ahead),
+            coord(below),
+            coord(above),
+        )
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn polygon(outline: &[(f64, f64)]) -> Polygon {
+        let vertices = outline.iter().map(|&(x, y)| DVec3::new(x, y, 5.0));
+        Polygon::new(vertices.collect(), None).unwrap()
+    }
+
+    /// Straight down the z axis at (x, y).
+    fn at(polygon: &Polygon, x: f64, y: f64) -> PolygonTest {
+        polygon.contains(&Ray::new(DVec3::new(x, y, 0.0), DVec3::Z), 5.0)
+    }
+
+    /// A U: a square of 6 with a notch from x = 2 to 4, open at the top, down to y = 2.
+    fn u_shape() -> Polygon {
+        polygon(&[
+            (0.0, 0.0),
+            (6.0, 0.0),
+            (6.0, 6.0),
+            (4.0, 6.0),
+            (4.0, 2.0),
+            (2.0, 2.0),
+            (2.0, 6.0),
+            (0.0, 6.0),
+        ])
+    }
+
+    #[test]
+    fn a_concave_outline_counts_crossings_in_each_arm() {
+        let u = u_shape();
+        for (x, y, crossings) in [
+            (1.0, 4.0, 3),
+            (3.0, 4.0, 2),
+            (5.0, 4.0, 1),
+            (7.0, 4.0, 0),
+            (3.0, 1.0, 1),
+            (-1.0, 4.0, 4),
+        ] {
+            let test = at(&u, x, y);
+            assert_eq!(
+                (test.crossings, test.inside),
+                (crossings, crossings % 2 == 1),
+                "({x}, {y})"
+            );
+            assert_eq!(test.decided_by, DecidedBy::Point);
+        }
+    }
+
+    #[test]
+    fn the_edges_add_up_to_the_crossings_whoever_decides() {
+        let u = u_shape();
+        for (x, y) in [
+            (1.0, 4.0),
+            (3.0, 2.0),
+            (2.0, 2.0),
+            (6.0, 6.0),
+            (2.0, 4.0),
+            (0.5, 6.0),
+        ] {
+            let ray = Ray::new(DVec3::new(x, y, 0.0), DVec3::Z);
+            let test = u.contains(&ray, 5.0);
+            let edges: Vec<_> = u.edges(&ray, test).collect();
+            assert_eq!(edges.len(), 8);
+            assert_eq!(
+                edges.iter().filter(|e| e.counts).count(),
+                test.crossings as usize
+            );
+            assert!(edges.iter().all(|e| e.decided_by == test.decided_by));
+        }
+    }
+
+    #[test]
+    fn a_point_level_with_a_vertex_counts_it_once() {
+        // the half-line from (1, 2) runs along the notch's floor and through both of its vertices
+        let test = at(&u_shape(), 1.0, 2.0);
+        assert!(test.inside);
+        // and level with the tip of a diamond
+        let diamond = polygon(&[(0.0, -1.0), (1.0, 0.0), (0.0, 1.0), (-1.0, 0.0)]);
+        assert_eq!(at(&diamond, -0.5, 0.0).crossings, 1);
+        assert_eq!(at(&diamond, -2.0, 0.0).crossings % 2, 0);
+    }
+
+    #[test]
+    fn neighbours_share_their_common_edge_without_gap_or_overlap() {
+        let (a, b, c, d) = ((0.0, 0.0), (4.0, 1.0), (3.0, 5.0), (-1.0, 3.0));
+        let (left, right) = (polygon(&[a, c, d]), polygon(&[a, b, c]));
+        for step in 1..1000 {
+            let s = f64::from(step) / 1000.0;
+            let (x, y) = (3.0 * s, 5.0 * s);
+            let takers = [&left, &right].map(|p| at(p, x, y));
+            assert_eq!(
+                takers.iter().filter(|test| test.inside).count(),
+                1,
+                "at {s}"
+            );
+            assert!(
+                takers.iter().all(|test| test.decided_by == DecidedBy::Ray),
+                "at {s}"
+            );
+        }
+    }
+
+    #[test]
+    fn triangles_around_a_vertex_take_a_ray_through_it_exactly_once() {
+        let rim: Vec<_> = (0..7)
+            .map(|k| f64::from(k) * std::f64::consts::TAU / 7.0)
+            .map(|angle| (angle.cos(), angle.sin()))
+            .collect();
+        let fan: Vec<_> = (0..7)
+            .map(|k| polygon(&[(0.0, 0.0), rim[k], rim[(k + 1) % 7]]))
+            .collect();
+        let takers = fan.iter().filter(|p| at(p, 0.0, 0.0).inside).count();
+        assert_eq!(takers, 1);
+    }
+}

@@ -1,0 +1,145 @@
+//! Which root is the hit, and why each other one is not.
+//!
+//! The slides say "the one that yields the smallest positive t is the closest". Erratum 8 adds what
+//! they leave out: all roots may lie behind the origin, from inside the far one is the hit, and a ray
+//! that starts on a surface needs t > ε.
+
+use crate::geometry::TRange;
+
+/// Why is a root the hit, or why not?
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Fate {
+    /// The smallest t that counts: the hit.
+    Chosen,
+    /// t ≤ 0: behind the origin, or the origin itself.
+    #[default]
+    Behind,
+    /// |t| < ε: the surface on which the ray starts. On which side of 0 it falls is rounding.
+    BelowEpsilon,
+    /// Further than the nearest hit known so far, than the light, or than this object's other root.
+    BeyondNearest,
+    /// The surface shows only its front, and the ray meets its back.
+    BackFace,
+    /// The surface shows only its back, and the ray meets its front.
+    FrontFace,
+    /// On the infinite cone or cylinder, but not between base and apex.
+    BeyondEnds,
+}
+
+/// Which sides of a surface can be seen?
+///
+/// The front is the side that the normal points to: the outside of a solid, the side from which a
+/// polygon's vertices run counter-clockwise.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Sides {
+    /// Both.
+    #[default]
+    Both,
+    /// Only the front: what the published statistics call one-sided.
+    Front,
+    /// Only the back: what a negative radius means in NFF.
+    Back,
+}
+
+/// A value of t at which the ray meets a surface, and what became of it.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Root {
+    /// Along the ray.
+    pub t: f64,
+    /// Chosen, or the reason why not.
+    pub fate: Fate,
+}
+
+/// Where does a ray meet a surface of second degree, or a box?
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum Roots {
+    /// Nowhere: no real root.
+    #[default]
+    None,
+    /// One double root: the ray grazes the surface (discriminant within the stated tolerance of 0).
+    Graze(Root),
+    /// Two, `near` before `far`.
+    Two {
+        /// The smaller t.
+        near: Root,
+        /// The larger t.
+        far: Root,
+    },
+    /// One, of a linear equation: a = 0 (a ray along a generator of a cone).
+    Linear(Root),
+}
+
+impl Roots {
+    /// The hit, if there is one.
+    #[inline]
+    pub fn chosen(&self) -> Option<f64> {
+        let hit = |root: &Root| (root.fate == Fate::Chosen).then_some(root.t);
+        match self {
+            Self::None => None,
+            Self::Graze(root) | Self::Linear(root) => hit(root),
+            Self::Two { near, far } => hit(near).or_else(|| hit(far)),
+        }
+    }
+
+    /// All of them, in the order of t.
+    pub fn iter(&self) -> impl Iterator<Item = Root> {
+        let (first, second) = match *self {
+            Self::None => (None, None),
+            Self::Graze(root) | Self::Linear(root) => (Some(root), None),
+            Self::Two { near, far } => (Some(near), Some(far)),
+        };
+        first.into_iter().chain(second)
+    }
+}
+
+/// Where is t: behind, too near, too far, or the hit?
+#[inline]
+pub(super) fn fate_of(t: f64, range: TRange) -> Fate {
+    if t.abs() < range.min {
+        Fate::BelowEpsilon
+    } else if t <= 0.0 {
+        Fate::Behind
+    } else if t <= range.max {
+        Fate::Chosen
+    } else {
+        Fate::BeyondNearest
+    }
+}
+
+/// Can the side be seen that the ray meets? `entering` means that it meets the front.
+#[inline]
+pub(super) fn hidden_side(entering: bool, sides: Sides) -> Option<Fate> {
+    match sides {
+        Sides::Front if !entering => Some(Fate::BackFace),
+        Sides::Back if entering => Some(Fate::FrontFace),
+        _ => None,
+    }
+}
+
+/// The fates of an entering and a leaving root: `near` is looked at first, and once it is chosen
+/// `far` lies beyond the nearest.
+#[inline]
+pub(super) fn two_roots(
+    [near, far]: [f64; 2],
+    range: TRange,
+    mut refused: impl FnMut(f64, bool) -> Option<Fate>,
+    near_enters: bool,
+) -> Roots {
+    let near = judged(near, range, |t| refused(t, near_enters));
+    let mut far = judged(far, range, |t| refused(t, !near_enters));
+    if near.fate == Fate::Chosen && far.fate == Fate::Chosen {
+        far.fate = Fate::BeyondNearest;
+    }
+    Roots::Two { near, far }
+}
+
+/// One root with its fate: first where it lies, then what the surface itself refuses.
+#[inline]
+pub(super) fn judged(t: f64, range: TRange, mut refused: impl FnMut(f64) -> Option<Fate>) -> Root {
+    let fate = match fate_of(t, range) {
+        Fate::Behind => Fate::Behind,
+        Fate::BelowEpsilon => Fate::BelowEpsilon,
+        place => refused(t).unwrap_or(place),
+    };
+    Root { t, fate }
+}

@@ -1,0 +1,10 @@
+//! raystep: a ray tracer that shows its working.
+
+pub mod geometry;
+
+pub use geometry::{
+    Axis, AxisBox, BoxTest, Cone, DecidedBy, EdgeTest, Ellipsoid, Fate, GRAZE, Plane, PlaneTest,
+    PlaneVerdict, Polygon, PolygonError, PolygonTest, QuadraticTest, Ray, Refraction, Root, Roots,
+    Sides, SlabInterval, SlabRay, Sphere, TRange, interpolated_normal, mean_value_weights, reflect,
+    refract,
+};
