@@ -1,0 +1,110 @@
+//! Scenes in JSON, and the mesh files they name.
+
+use std::path::Path;
+
+use crate::scene::file::{SceneFile, ShapeFile};
+use crate::scene::load::locate::line_of;
+use crate::scene::load::{Lines, LoadError, Loaded, Place, Source, obj, read, text_of};
+
+/// Reads a scene; `folder` is where its mesh files are looked for.
+pub(super) fn read_json(file: &str, text: &str, folder: &Path) -> Result<Loaded, LoadError> {
+    let mut scene = parse(file, text)?;
+    let mut notes = Vec::new();
+    for (i, object) in scene.objects.iter_mut().enumerate() {
+        let ShapeFile::Mesh(mesh) = &mut object.shape else {
+            continue;
+        };
+        // a mesh with both keys is left as it is, for the check to refuse
+        if let (Some(name), None) = (&mesh.file, &mesh.faces) {
+            let path = folder.join(name);
+            let mesh_file = path.display().to_string();
+            let bytes = read(&path, &mesh_file).map_err(|error| {
+                let at = format!("objects[{i}].shape.mesh.file");
+                unreadable_mesh(file, text, at, &mesh_file, &error)
+            })?;
+            let faces = obj::read_obj(&mesh_file, text_of(&mesh_file, &bytes)?)?;
+            notes.extend(faces.notes);
+            mesh.faces = Some(faces.faces);
+            mesh.file = None;
+        }
+    }
+    Ok(Loaded {
+        scene,
+        notes,
+        source: Source {
+            file: file.into(),
+            lines: Lines::Json(text.into()),
+        },
+    })
+}
+
+/// A mesh file that cannot be read is a mistake of the scene that names it.
+fn unreadable_mesh(
+    file: &str,
+    text: &str,
+    path: String,
+    mesh: &str,
+    error: &LoadError,
+) -> LoadError {
+    let why = match error {
+        LoadError::Read { source, .. } => source.to_string(),
+        other => other.to_string(),
+    };
+    LoadError::Form {
+        place: Place {
+            file: file.into(),
+            line: line_of(text, &path),
+            path,
+        },
+        what: format!("the mesh file {mesh:?} cannot be read: {why}"),
+        fix: "name an OBJ file; its folder is counted from that of the scene".into(),
+    }
+}
+
+fn parse(file: &str, text: &str) -> Result<SceneFile, LoadError> {
+    let mut json = serde_json::Deserializer::from_str(text);
+    let scene = serde_path_to_error::deserialize(&mut json).map_err(|error| {
+        let path = error.path().to_string();
+        form_error(file, &path, error.inner())
+    })?;
+    json.end().map_err(|error| form_error(file, "", &error))?;
+    Ok(scene)
+}
+
+/// What `serde_json` said, in the words of the file instead of the program's, without its place.
+fn form_error(file: &str, path: &str, error: &serde_json::Error) -> LoadError {
+    let message = error.to_string();
+    let end = message.rfind(" at line ").unwrap_or(message.len());
+    let what = message[..end]
+        .replace(
+            "invalid type: unit variant, expected struct variant",
+            "a shape needs its numbers",
+        )
+        .replace("expected struct ", "expected the keys of ")
+        .replace("EOF while parsing", "the file ends in the middle of")
+        .replace(
+            "trailing characters",
+            "something follows where an end was expected",
+        )
+        .replace("expected f64", "expected a number")
+        .replace("expected u32", "expected a whole number of 0 or more")
+        .replace("unknown variant", "unknown name")
+        .replace("unknown field", "unknown key")
+        .replace("missing field", "missing key");
+    let fix = if error.is_data() {
+        "the command 'raystep schema scene' prints what a scene file may contain"
+    } else if what == "number out of range" {
+        "give a number within ±1e50"
+    } else {
+        "correct the JSON here, or in the line before; NaN and Infinity are not JSON"
+    };
+    LoadError::Form {
+        place: Place {
+            file: file.into(),
+            line: (0 < error.line()).then(|| error.line()),
+            path: path.into(),
+        },
+        what,
+        fix: fix.into(),
+    }
+}

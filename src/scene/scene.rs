@@ -1,0 +1,284 @@
+//! The scene as the tracer sees it: checked, and with everything constant computed in advance.
+
+use glam::DVec3;
+
+use crate::geometry::Sides;
+use crate::scene::check::{checked_colour, checked_point, checked_positive, checked_weight};
+use crate::scene::fault::{DEEPEST, Fault, SceneFault};
+use crate::scene::file::{
+    CameraFile, LightFile, Material, Materials, MeshFile, ObjectFile, SceneFile, ShapeFile,
+};
+use crate::scene::shapes::{polygon_file, shape_file, shapes};
+use crate::scene::{Camera, Emission, Light, Object, Primitive, PrimitiveId, Shape};
+
+/// Everything that is there before a ray is cast. Made by [`Scene::new`] and not changed after.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Scene {
+    /// What the scene shows.
+    pub name: String,
+    /// The eye and the window.
+    pub camera: Camera,
+    /// The camera as the file has it.
+    camera_file: CameraFile,
+    /// The colour of a ray that meets nothing.
+    pub background: DVec3,
+    /// The ambient light.
+    pub ambient: DVec3,
+    /// The point lights.
+    pub lights: Vec<Light>,
+    /// The materials with their names.
+    pub materials: Materials,
+    /// The objects, in the order of the file.
+    pub objects: Vec<Object>,
+    /// What the objects consist of, in the same order.
+    pub primitives: Vec<Primitive>,
+    /// The largest depth of a ray; an eye ray has depth 1.
+    pub max_depth: u32,
+}
+
+impl Scene {
+    /// The scene that a file describes.
+    ///
+    /// # Errors
+    /// The first value that makes no sense, with its path.
+    pub fn new(file: SceneFile) -> Result<Self, SceneFault> {
+        if file.max_depth < 1 || DEEPEST < file.max_depth {
+            let depth = file.max_depth;
+            return Err(Fault::Depth { depth }.at("max_depth"));
+        }
+        let mut scene = Self {
+            name: file.name,
+            camera: Camera::new(&file.camera)?,
+            camera_file: file.camera,
+            background: checked_colour("background", file.background)?,
+            ambient: checked_colour("ambient", file.ambient)?,
+            lights: lights(file.lights)?,
+            materials: materials(file.materials)?,
+            objects: Vec::with_capacity(file.objects.len()),
+            primitives: Vec::with_capacity(file.objects.len()),
+            max_depth: file.max_depth,
+        };
+        let mut names = Names::default();
+        for (i, object) in file.objects.into_iter().enumerate() {
+            let path = format!("objects[{i}]");
+            names.add(&path, &object.name)?;
+            scene.add(&path, object)?;
+        }
+        Ok(scene)
+    }
+
+    /// The same scene with opaque objects showing only their front, as the published statistics have
+    /// it. Transmitting objects keep both sides, and so does what the file itself restricts.
+    #[must_use]
+    pub fn one_sided(mut self) -> Self {
+        for primitive in &mut self.primitives {
+            let object = &self.objects[primitive.object as usize];
+            let opaque = self.materials.0[object.material as usize].1.transmission == 0.0;
+            if opaque && primitive.sides == Sides::Both {
+                primitive.sides = Sides::Front;
+            }
+        }
+        self
+    }
+
+    /// The primitive with a number that the scene gave out.
+    #[inline]
+    pub fn primitive(&self, id: PrimitiveId) -> &Primitive {
+        &self.primitives[id.0 as usize]
+    }
+
+    /// The object that a primitive belongs to.
+    pub fn object_of(&self, id: PrimitiveId) -> &Object {
+        &self.objects[self.primitive(id).object as usize]
+    }
+
+    /// The material of a primitive.
+    pub fn material_of(&self, id: PrimitiveId) -> &Material {
+        &self.materials.0[self.object_of(id).material as usize].1
+    }
+
+    /// The primitive's name: that of its object, and the number of the face in a mesh, from 0.
+    pub fn name_of(&self, id: PrimitiveId) -> (&str, Option<u32>) {
+        let object = self.object_of(id);
+        let face = object.is_mesh.then(|| id.0 - object.first.0);
+        (&object.name, face)
+    }
+
+    /// The scene as a file again, without its objects.
+    pub fn head(&self) -> SceneFile {
+        SceneFile {
+            name: self.name.clone(),
+            camera: self.camera_file.clone(),
+            background: self.background.into(),
+            ambient: self.ambient.into(),
+            lights: self.lights.iter().map(light_file).collect(),
+            materials: self.materials.clone(),
+            objects: Vec::new(),
+            max_depth: self.max_depth,
+        }
+    }
+
+    /// One object as a file again, its mesh inlined.
+    pub fn object_file(&self, object: &Object) -> ObjectFile {
+        let first = object.first.0 as usize;
+        let primitives = &self.primitives[first..first + object.count as usize];
+        let shape = if object.is_mesh {
+            let faces = primitives.iter().filter_map(|p| match &p.shape {
+                Shape::Polygon(polygon) => Some(polygon_file(polygon)),
+                _ => None,
+            });
+            ShapeFile::Mesh(MeshFile {
+                file: None,
+                faces: Some(faces.collect()),
+            })
+        } else {
+            shape_file(&primitives[0].shape)
+        };
+        ObjectFile {
+            name: object.name.clone(),
+            material: self.materials.0[object.material as usize].0.clone(),
+            shape,
+            sides: object.sides.into(),
+        }
+    }
+
+    fn add(&mut self, path: &str, file: ObjectFile) -> Result<(), SceneFault> {
+        let material = self.material_named(path, &file.material)?;
+        let first = PrimitiveId(self.primitives.len() as u32);
+        let is_mesh = matches!(file.shape, ShapeFile::Mesh(_));
+        let sides = file.sides.into();
+        let object = self.objects.len() as u32;
+        let mut add = |shape| {
+            self.primitives.push(Primitive {
+                shape,
+                object,
+                sides,
+            });
+        };
+        shapes(&format!("{path}.shape"), file.shape, &mut add)?;
+        self.objects.push(Object {
+            name: file.name,
+            material,
+            sides,
+            first,
+            count: self.primitives.len() as u32 - first.0,
+            is_mesh,
+        });
+        Ok(())
+    }
+
+    fn material_named(&self, path: &str, name: &str) -> Result<u32, SceneFault> {
+        let known = || self.materials.0.iter().map(|(known, _)| known.as_str());
+        if let Some(index) = known().position(|known| known == name) {
+            return Ok(index as u32);
+        }
+        let fault = Fault::UnknownMaterial {
+            name: name.into(),
+            nearest: nearest_name(name, known()),
+        };
+        Err(fault.at(format!("{path}.material")))
+    }
+}
+
+/// The known name most like one that is not known, if any is like it at all.
+pub fn nearest_name<'a>(name: &str, known: impl Iterator<Item = &'a str>) -> Option<String> {
+    /// Below this similarity (Jaro-Winkler, 0 to 1) a guess would only confuse.
+    const LIKE: f64 = 0.7;
+    known
+        .map(|candidate| (strsim::jaro_winkler(name, candidate), candidate))
+        .filter(|(likeness, _)| LIKE <= *likeness)
+        .max_by(|a, b| a.0.total_cmp(&b.0))
+        .map(|(_, candidate)| candidate.into())
+}
+
+/// The names given so far, each with the path of its object.
+#[derive(Default)]
+struct Names(std::collections::HashMap<String, String>);
+
+impl Names {
+    fn add(&mut self, path: &str, name: &str) -> Result<(), SceneFault> {
+        let at_name = || format!("{path}.name");
+        if name.is_empty() {
+            return Err(Fault::EmptyName.at(at_name()));
+        }
+        match self.0.insert(name.into(), path.into()) {
+            None => Ok(()),
+            Some(first) => Err(Fault::SameName {
+                name: name.into(),
+                first,
+            }
+            .at(at_name())),
+        }
+    }
+}
+
+fn materials(file: Materials) -> Result<Materials, SceneFault> {
+    for (name, material) in &file.0 {
+        let path = |key: &str| format!("materials.{name}.{key}");
+        checked_colour(&path("colour"), material.colour)?;
+        for (key, what, value) in [
+            ("diffuse", "the diffuse coefficient", material.diffuse),
+            ("specular", "the specular coefficient", material.specular),
+            ("shininess", "the shininess", material.shininess),
+            ("reflection", "the reflection", material.reflection),
+            ("transmission", "the transmission", material.transmission),
+        ] {
+            checked_weight(&path(key), what, value)?;
+        }
+        checked_positive(&path("index"), "the index of refraction", material.index)?;
+    }
+    Ok(file)
+}
+
+fn lights(files: Vec<LightFile>) -> Result<Vec<Light>, SceneFault> {
+    let mut names = Names::default();
+    let mut lights = Vec::with_capacity(files.len());
+    for (i, file) in files.into_iter().enumerate() {
+        let path = format!("lights[{i}]");
+        let name = if file.name.is_empty() {
+            format!("light-{}", i + 1)
+        } else {
+            file.name
+        };
+        names.add(&path, &name)?;
+        let emission = match (file.colour, file.power) {
+            (Some(colour), None) => {
+                Emission::Colour(checked_colour(&format!("{path}.colour"), colour)?)
+            }
+            (None, Some(power)) => {
+                let at = format!("{path}.power");
+                Emission::Power(checked_positive(&at, "the power", power)?)
+            }
+            (colour, _) => {
+                let both = colour.is_some();
+                let (first, second) = ("colour", "power");
+                return Err(Fault::OneOf {
+                    first,
+                    second,
+                    both,
+                }
+                .at(path));
+            }
+        };
+        let position = checked_point(&format!("{path}.position"), file.position)?;
+        lights.push(Light {
+            name,
+            position,
+            emission,
+        });
+    }
+    Ok(lights)
+}
+
+fn light_file(light: &Light) -> LightFile {
+    let (colour, power) = match light.emission {
+        Emission::Colour(colour) => (Some(colour.into()), None),
+        Emission::Power(power) => (None, Some(power)),
+    };
+    LightFile {
+        name: light.name.clone(),
+        position: light.position.into(),
+        colour,
+        power,
+    }
+}

@@ -1,0 +1,139 @@
+//! Shapes from the file into primitives, each checked, and back.
+
+use glam::DVec3;
+
+use crate::geometry::{AxisBox, Cone, Ellipsoid, Polygon, Sphere};
+use crate::scene::Shape;
+use crate::scene::check::{checked, checked_point, checked_positive, checked_weight};
+use crate::scene::fault::{Fault, SceneFault};
+use crate::scene::file::{MeshFile, PolygonFile, ShapeFile};
+
+/// The primitives of a shape, one after the other.
+pub(super) fn shapes(
+    path: &str,
+    file: ShapeFile,
+    add: &mut impl FnMut(Shape),
+) -> Result<(), SceneFault> {
+    match file {
+        ShapeFile::Sphere { center, radius } => {
+            let center = checked_point(&format!("{path}.sphere.center"), center)?;
+            let at = format!("{path}.sphere.radius");
+            let radius = checked_positive(&at, "the radius", radius)?;
+            add(Shape::Sphere(Sphere { center, radius }));
+        }
+        ShapeFile::Ellipsoid { center, radii } => {
+            let center = checked_point(&format!("{path}.ellipsoid.center"), center)?;
+            for (i, &radius) in radii.iter().enumerate() {
+                let at = format!("{path}.ellipsoid.radii[{i}]");
+                checked_positive(&at, "the radius", radius)?;
+            }
+            let radii = radii.into();
+            add(Shape::Ellipsoid(Ellipsoid { center, radii }));
+        }
+        ShapeFile::Box { min, max } => {
+            let path = format!("{path}.box");
+            let low = checked_point(&format!("{path}.min"), min)?;
+            let high = checked_point(&format!("{path}.max"), max)?;
+            for (axis, (min, max)) in ['x', 'y', 'z'].into_iter().zip(min.into_iter().zip(max)) {
+                if max <= min {
+                    return Err(Fault::BoxWithoutVolume { axis, min, max }.at(path));
+                }
+            }
+            add(Shape::Box(AxisBox {
+                min: low,
+                max: high,
+            }));
+        }
+        ShapeFile::Cone {
+            base,
+            base_radius,
+            apex,
+            apex_radius,
+        } => {
+            let path = format!("{path}.cone");
+            let base = checked_point(&format!("{path}.base"), base)?;
+            let apex = checked_point(&format!("{path}.apex"), apex)?;
+            let radius =
+                |key: &str, value| checked_weight(&format!("{path}.{key}"), "the radius", value);
+            let base_radius = radius("base_radius", base_radius)?;
+            let apex_radius = radius("apex_radius", apex_radius)?;
+            let cone = Cone::new(base, base_radius, apex, apex_radius);
+            add(Shape::Cone(cone.ok_or_else(|| Fault::BadCone.at(path))?));
+        }
+        ShapeFile::Polygon(file) => {
+            add(Shape::Polygon(polygon(&format!("{path}.polygon"), file)?));
+        }
+        ShapeFile::Mesh(MeshFile {
+            file: None,
+            faces: Some(faces),
+        }) => {
+            for (i, face) in faces.into_iter().enumerate() {
+                add(Shape::Polygon(polygon(
+                    &format!("{path}.mesh.faces[{i}]"),
+                    face,
+                )?));
+            }
+        }
+        ShapeFile::Mesh(MeshFile {
+            file: Some(file),
+            faces: None,
+        }) => return Err(Fault::MeshNotLoaded { file }.at(format!("{path}.mesh"))),
+        ShapeFile::Mesh(MeshFile { file, .. }) => {
+            let both = file.is_some();
+            let (first, second) = ("file", "faces");
+            return Err(Fault::OneOf {
+                first,
+                second,
+                both,
+            }
+            .at(format!("{path}.mesh")));
+        }
+    }
+    Ok(())
+}
+
+fn polygon(path: &str, file: PolygonFile) -> Result<Polygon, SceneFault> {
+    let points = |list: Vec<[f64; 3]>| -> Result<Vec<DVec3>, SceneFault> {
+        for &value in list.as_flattened() {
+            checked(path, value)?;
+        }
+        Ok(list.into_iter().map(DVec3::from).collect())
+    };
+    let vertices = points(file.vertices)?;
+    let normals = file.normals.map(points).transpose()?;
+    Polygon::new(vertices, normals).map_err(|error| Fault::Polygon(error).at(path))
+}
+
+/// A shape as a file has it.
+pub(super) fn shape_file(shape: &Shape) -> ShapeFile {
+    match shape {
+        Shape::Sphere(Sphere { center, radius }) => ShapeFile::Sphere {
+            center: (*center).into(),
+            radius: *radius,
+        },
+        Shape::Ellipsoid(Ellipsoid { center, radii }) => ShapeFile::Ellipsoid {
+            center: (*center).into(),
+            radii: (*radii).into(),
+        },
+        Shape::Box(AxisBox { min, max }) => ShapeFile::Box {
+            min: (*min).into(),
+            max: (*max).into(),
+        },
+        Shape::Cone(cone) => ShapeFile::Cone {
+            base: cone.base().into(),
+            base_radius: cone.radii()[0],
+            apex: cone.apex().into(),
+            apex_radius: cone.radii()[1],
+        },
+        Shape::Polygon(polygon) => ShapeFile::Polygon(polygon_file(polygon)),
+    }
+}
+
+/// A polygon as a file has it.
+pub(super) fn polygon_file(polygon: &Polygon) -> PolygonFile {
+    let list = |points: &[DVec3]| points.iter().map(|&p| p.into()).collect();
+    PolygonFile {
+        vertices: list(polygon.vertices()),
+        normals: polygon.normals().map(list),
+    }
+}
