@@ -2,6 +2,7 @@
 
 pub mod geometry;
 pub mod scene;
+pub mod trace;
 
 pub use geometry::{
     Axis, AxisBox, BoxTest, Cone, DecidedBy, EdgeTest, Ellipsoid, Fate, GRAZE, Plane, PlaneTest,
@@ -13,4 +14,11 @@ pub use scene::{
     Camera, Emission, Fault, Light, LoadError, Loaded, Material, Materials, Normals, Object,
     PhongTerm, Primitive, PrimitiveId, Scene, SceneFault, SceneFile, Shape, load, load_bytes,
     nearest_name,
+};
+pub use trace::{
+    Budget, Counts, Event, Filter, Item, Kind, Kinds, LightTerm, LineSink, LogError, LogNames,
+    LogReader, Nearest, Off, Outcome, PixelColour, PixelSample, Purpose, RayCount, RayEnd, RayNode,
+    RayStart, RayTree, Record, Recorder, Recording, Region, Settings, Shade, Sink, StrategyName,
+    TestCount, Through, Transport, Visibility, begins_log, scene_schema, trace_schema,
+    write_log_head,
 };

@@ -1,0 +1,409 @@
+//! The vocabulary of the trace: what can happen to a ray.
+//!
+//! An event wraps the working that a layer below returned, or is defined here if a strategy or the
+//! tracer fills it. It holds finite numbers and numbers of objects and lights; the log's writer puts
+//! names, and words are made in `explain`.
+
+use glam::{DVec2, DVec3};
+
+use crate::geometry::{
+    BoxTest, EdgeTest, PlaneTest, PolygonTest, QuadraticTest, Ray, Refraction, TRange,
+};
+use crate::scene::{PhongTerm, PrimitiveId};
+
+/// One step of the working. `Copy` and at most 128 bytes, so that a record of many is one block.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Event {
+    /// A place on the window is looked through.
+    Pixel(PixelSample),
+    /// The pixel has its colour.
+    PixelColour(PixelColour),
+    /// A ray starts.
+    Ray(RayStart),
+    /// A ray has come to its end.
+    RayEnd(RayEnd),
+    /// A sphere was tested: equation (iii).
+    SphereTest {
+        /// The sphere.
+        object: PrimitiveId,
+        /// The working.
+        test: QuadraticTest,
+    },
+    /// An ellipsoid was tested: equation (iii) in the space in which it is a unit sphere.
+    EllipsoidTest {
+        /// The ellipsoid.
+        object: PrimitiveId,
+        /// The working.
+        test: QuadraticTest,
+    },
+    /// A cone or cylinder was tested.
+    ConeTest {
+        /// The cone.
+        object: PrimitiveId,
+        /// The working.
+        test: QuadraticTest,
+    },
+    /// A box was tested: three slabs.
+    BoxTest {
+        /// The box.
+        object: PrimitiveId,
+        /// The working.
+        test: BoxTest,
+    },
+    /// A polygon's plane was tested: equations (iv) and (v).
+    PlaneTest {
+        /// The polygon.
+        object: PrimitiveId,
+        /// The working.
+        test: PlaneTest,
+    },
+    /// An edge of a polygon was counted or not. All edges come before their `PolygonTest`.
+    Edge {
+        /// The polygon.
+        object: PrimitiveId,
+        /// The working.
+        edge: EdgeTest,
+    },
+    /// A point of a plane was found inside a polygon or outside (Fig. 15.57).
+    PolygonTest {
+        /// The polygon.
+        object: PrimitiveId,
+        /// The working.
+        test: PolygonTest,
+    },
+    /// A hit is the nearest so far.
+    Nearest(Nearest),
+    /// A light was weighed up.
+    LightTerm(LightTerm),
+    /// The shade of a point has all its terms but for the rays sent on.
+    Shade(Shade),
+    /// Snell's law was applied.
+    Refraction(Refraction),
+}
+
+/// A place on the window.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct PixelSample {
+    /// Column and row from the top left.
+    pub pixel: [u32; 2],
+    /// Which of the pixel's eye rays, from 0.
+    pub sample: u32,
+    /// How many eye rays the pixel has: 1 through its centre, or 4 through its corners.
+    pub samples: u32,
+    /// The place in pixels from the window's top left corner.
+    pub place: DVec2,
+    /// The point on the window, in world coordinates.
+    pub point: DVec3,
+}
+
+/// A pixel's colour.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct PixelColour {
+    /// The mean over the pixel's eye rays.
+    pub raw: DVec3,
+    /// Cut to 0..1: what the picture shows.
+    pub clamped: DVec3,
+}
+
+/// What a ray is cast for.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Purpose {
+    /// From the COP through the window.
+    #[default]
+    Eye,
+    /// From a surface to a light.
+    Shadow,
+    /// On from a surface in the mirror direction.
+    Reflected,
+    /// On through a surface, bent by Snell's law.
+    Refracted,
+}
+
+/// A ray at its start.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct RayStart {
+    /// Origin and unit direction.
+    pub ray: Ray,
+    /// Which t count.
+    pub range: TRange,
+    /// What it is cast for.
+    pub purpose: Purpose,
+    /// 1 for an eye ray, one more for each surface it was sent on from.
+    pub depth: u32,
+    /// Where an eye ray passes the window (erratum 4).
+    pub window_t: Option<f64>,
+    /// The light that a shadow ray is cast to.
+    pub light: Option<u32>,
+}
+
+/// How a ray ended.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Outcome {
+    /// It met an object.
+    Hit,
+    /// It met nothing and sees the background.
+    #[default]
+    Miss,
+    /// A shadow ray met an object before its light.
+    Blocked,
+    /// A shadow ray reached its light.
+    ReachesLight,
+    /// It was not traced: the depth limit is reached.
+    DepthLimit,
+}
+
+/// A ray at its end.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct RayEnd {
+    /// How it ended.
+    pub outcome: Outcome,
+    /// What it met.
+    pub object: Option<PrimitiveId>,
+    /// Where.
+    pub t: Option<f64>,
+    /// The colour it brings back; shadow rays bring none.
+    pub colour: Option<DVec3>,
+    /// How many objects it was tested against; the recording counts them.
+    pub tests: u32,
+    /// How many of those it met; the recording counts them.
+    pub hits: u32,
+}
+
+/// A hit that is nearer than all before.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Nearest {
+    /// What was hit.
+    pub object: PrimitiveId,
+    /// Where.
+    pub t: f64,
+    /// What was the nearest before.
+    pub replaced: Option<PrimitiveId>,
+}
+
+/// Does a light reach a point?
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Visibility {
+    /// Its shadow ray arrived.
+    #[default]
+    Visible,
+    /// Its shadow ray was blocked.
+    Shadowed,
+    /// N·L ≤ 0: the surface faces away, and no shadow ray is cast.
+    FacesAway,
+    /// The transport casts no rays to lights: it counts as visible.
+    NotTested,
+}
+
+/// What one light adds.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct LightTerm {
+    /// The light's place in the scene.
+    pub light: u32,
+    /// Whether its terms count.
+    pub visibility: Visibility,
+    /// Its terms.
+    pub term: PhongTerm,
+}
+
+/// The shade of a point:
+/// I = ambient + Σ lights + reflection·I_reflected + transmission·I_refracted.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Shade {
+    /// What was hit.
+    pub object: PrimitiveId,
+    /// The point, in world coordinates.
+    pub point: DVec3,
+    /// N: the unit normal on the side that the ray comes from.
+    pub normal: DVec3,
+    /// The ray meets the back of the surface, so that N is the surface's normal turned round.
+    pub back: bool,
+    /// ambient·colour.
+    pub ambient: DVec3,
+    /// Σ over visible lights of the diffuse and the specular term.
+    pub direct: DVec3,
+    /// The weight of the reflected ray; total internal reflection adds the transmission to it.
+    pub reflection: f64,
+    /// The weight of the refracted ray.
+    pub transmission: f64,
+}
+
+/// The name of each event.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[expect(missing_docs, reason = "each is described at its event")]
+pub enum Kind {
+    Pixel,
+    PixelColour,
+    Ray,
+    RayEnd,
+    SphereTest,
+    EllipsoidTest,
+    ConeTest,
+    BoxTest,
+    PlaneTest,
+    Edge,
+    PolygonTest,
+    Nearest,
+    LightTerm,
+    Shade,
+    Refraction,
+}
+
+impl Kind {
+    /// All kinds, in the order in which a ray meets them.
+    pub const ALL: [Self; 15] = [
+        Self::Pixel,
+        Self::Ray,
+        Self::SphereTest,
+        Self::EllipsoidTest,
+        Self::ConeTest,
+        Self::BoxTest,
+        Self::PlaneTest,
+        Self::Edge,
+        Self::PolygonTest,
+        Self::Nearest,
+        Self::LightTerm,
+        Self::Refraction,
+        Self::Shade,
+        Self::RayEnd,
+        Self::PixelColour,
+    ];
+
+    /// The name in the log.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Pixel => "pixel",
+            Self::PixelColour => "pixel_colour",
+            Self::Ray => "ray",
+            Self::RayEnd => "ray_end",
+            Self::SphereTest => "sphere_test",
+            Self::EllipsoidTest => "ellipsoid_test",
+            Self::ConeTest => "cone_test",
+            Self::BoxTest => "box_test",
+            Self::PlaneTest => "plane_test",
+            Self::Edge => "edge",
+            Self::PolygonTest => "polygon_test",
+            Self::Nearest => "nearest",
+            Self::LightTerm => "light_term",
+            Self::Shade => "shade",
+            Self::Refraction => "refraction",
+        }
+    }
+
+    /// The kind with a name of the log.
+    pub fn named(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|kind| kind.name() == name)
+    }
+
+    /// An event of this kind with nothing in it, for a reader to fill.
+    pub(crate) fn blank(self) -> Event {
+        let object = PrimitiveId::default();
+        match self {
+            Self::Pixel => Event::Pixel(PixelSample::default()),
+            Self::PixelColour => Event::PixelColour(PixelColour::default()),
+            Self::Ray => Event::Ray(RayStart::default()),
+            Self::RayEnd => Event::RayEnd(RayEnd::default()),
+            Self::SphereTest => Event::SphereTest {
+                object,
+                test: QuadraticTest::default(),
+            },
+            Self::EllipsoidTest => Event::EllipsoidTest {
+                object,
+                test: QuadraticTest::default(),
+            },
+            Self::ConeTest => Event::ConeTest {
+                object,
+                test: QuadraticTest::default(),
+            },
+            Self::BoxTest => Event::BoxTest {
+                object,
+                test: BoxTest::default(),
+            },
+            Self::PlaneTest => Event::PlaneTest {
+                object,
+                test: PlaneTest::default(),
+            },
+            Self::Edge => Event::Edge {
+                object,
+                edge: EdgeTest::default(),
+            },
+            Self::PolygonTest => Event::PolygonTest {
+                object,
+                test: PolygonTest::default(),
+            },
+            Self::Nearest => Event::Nearest(Nearest::default()),
+            Self::LightTerm => Event::LightTerm(LightTerm::default()),
+            Self::Shade => Event::Shade(Shade::default()),
+            Self::Refraction => Event::Refraction(Refraction::default()),
+        }
+    }
+}
+
+impl Event {
+    /// The name of the event.
+    #[inline]
+    pub const fn kind(&self) -> Kind {
+        match self {
+            Self::Pixel(_) => Kind::Pixel,
+            Self::PixelColour(_) => Kind::PixelColour,
+            Self::Ray(_) => Kind::Ray,
+            Self::RayEnd(_) => Kind::RayEnd,
+            Self::SphereTest { .. } => Kind::SphereTest,
+            Self::EllipsoidTest { .. } => Kind::EllipsoidTest,
+            Self::ConeTest { .. } => Kind::ConeTest,
+            Self::BoxTest { .. } => Kind::BoxTest,
+            Self::PlaneTest { .. } => Kind::PlaneTest,
+            Self::Edge { .. } => Kind::Edge,
+            Self::PolygonTest { .. } => Kind::PolygonTest,
+            Self::Nearest(_) => Kind::Nearest,
+            Self::LightTerm(_) => Kind::LightTerm,
+            Self::Shade(_) => Kind::Shade,
+            Self::Refraction(_) => Kind::Refraction,
+        }
+    }
+
+    /// Was an object tested, and was it met? A polygon is tested by its plane, and met if the point
+    /// lies inside: both tests together are one object's.
+    #[inline]
+    pub(crate) fn object_tested(&self) -> (bool, bool) {
+        let hit = self.test_hits();
+        match self {
+            Self::PlaneTest { .. } => (true, false),
+            Self::PolygonTest { .. } => (false, hit == Some(true)),
+            _ => (hit.is_some(), hit == Some(true)),
+        }
+    }
+
+    /// Did a test of an object meet it? `None` for all that is no such test.
+    ///
+    /// A polygon has two tests: its plane is met or not, and then the point is inside or not.
+    #[inline]
+    pub fn test_hits(&self) -> Option<bool> {
+        match self {
+            Self::SphereTest { test, .. }
+            | Self::EllipsoidTest { test, .. }
+            | Self::ConeTest { test, .. } => Some(test.roots.chosen().is_some()),
+            Self::BoxTest { test, .. } => Some(test.roots.chosen().is_some()),
+            Self::PlaneTest { test, .. } => Some(test.chosen().is_some()),
+            Self::PolygonTest { test, .. } => Some(test.inside),
+            _ => None,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_event_is_at_most_128_bytes() {
+        assert!(size_of::<Event>() <= 128, "{}", size_of::<Event>());
+    }
+
+    #[test]
+    fn every_kind_has_a_name_of_its_own_and_a_blank_event() {
+        for kind in Kind::ALL {
+            assert_eq!(Kind::named(kind.name()), Some(kind));
+            assert_eq!(kind.blank().kind(), kind);
+        }
+    }
+}

@@ -1,0 +1,257 @@
+//! The log as JSON Lines: a header, one line per object, then one line per event.
+
+use std::io::{self, Write};
+
+use serde::Serialize;
+
+use crate::scene::file::{CameraFile, LightFile, Materials, ObjectFile, ShapeFile, SidesFile};
+use crate::scene::{PrimitiveId, Scene, SceneFile};
+use crate::trace::fields::{Field, Fields, Visitor};
+use crate::trace::{Event, Record, Settings, Sink};
+
+/// The version of the log that this program writes and reads.
+pub const LOG_VERSION: u32 = 1;
+
+/// The first line: how the trace was made, and the scene but for its objects.
+#[derive(Clone, Debug, PartialEq, Serialize, serde::Deserialize, schemars::JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(super) struct Header {
+    /// `trace`.
+    pub(super) kind: String,
+    /// The version of the format: 1.
+    pub(super) version: u32,
+    /// What the scene shows.
+    #[serde(default)]
+    pub(super) name: String,
+    /// How the trace was made.
+    pub(super) settings: Settings,
+    /// The eye and the window.
+    pub(super) camera: CameraFile,
+    /// The colour of a ray that meets nothing.
+    pub(super) background: [f64; 3],
+    /// The ambient light.
+    pub(super) ambient: [f64; 3],
+    /// The point lights.
+    pub(super) lights: Vec<LightFile>,
+    /// The materials by name.
+    pub(super) materials: Materials,
+    /// The largest depth of a ray.
+    pub(super) max_depth: u32,
+}
+
+/// A line that describes an object, its mesh inlined.
+#[derive(Clone, Debug, PartialEq, Serialize, serde::Deserialize, schemars::JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(super) struct ObjectLine {
+    /// `object`.
+    pub(super) kind: String,
+    /// Its name.
+    pub(super) name: String,
+    /// The name of its material.
+    pub(super) material: String,
+    /// Its form.
+    pub(super) shape: ShapeFile,
+    /// Which sides of its surface can be seen.
+    #[serde(default)]
+    pub(super) sides: SidesFile,
+}
+
+/// Writes the header and the objects: what a log needs to stand alone.
+///
+/// # Errors
+/// Those of the output.
+pub fn write_log_head(scene: &Scene, settings: &Settings, out: &mut impl Write) -> io::Result<()> {
+    let SceneFile {
+        name,
+        camera,
+        background,
+        ambient,
+        lights,
+        materials,
+        objects: _,
+        max_depth,
+    } = scene.head();
+    let header = Header {
+        kind: "trace".into(),
+        version: LOG_VERSION,
+        name,
+        settings: settings.clone(),
+        camera,
+        background,
+        ambient,
+        lights,
+        materials,
+        max_depth,
+    };
+    write_line(&header, out)?;
+    for object in &scene.objects {
+        let ObjectFile {
+            name,
+            material,
+            shape,
+            sides,
+        } = scene.object_file(object);
+        let line = ObjectLine {
+            kind: "object".into(),
+            name,
+            material,
+            shape,
+            sides,
+        };
+        write_line(&line, out)?;
+    }
+    Ok(())
+}
+
+fn write_line(line: &impl Serialize, out: &mut impl Write) -> io::Result<()> {
+    serde_json::to_writer(&mut *out, line)?;
+    out.write_all(b"\n")
+}
+
+/// The names of a scene as JSON strings, made once.
+#[derive(Clone, Debug)]
+pub struct LogNames {
+    /// For each primitive its object, and for a face of a mesh its number.
+    primitives: Vec<(u32, Option<u32>)>,
+    objects: Vec<String>,
+    lights: Vec<String>,
+}
+
+impl LogNames {
+    /// The names of this scene.
+    pub fn new(scene: &Scene) -> Self {
+        let quoted = |name: &str| serde_json::Value::from(name).to_string();
+        let ids = (0..scene.primitives.len() as u32).map(PrimitiveId);
+        Self {
+            primitives: ids
+                .map(|id| (scene.primitive(id).object, scene.name_of(id).1))
+                .collect(),
+            objects: scene.objects.iter().map(|o| quoted(&o.name)).collect(),
+            lights: scene.lights.iter().map(|l| quoted(&l.name)).collect(),
+        }
+    }
+}
+
+/// Makes lines of records and keeps them in one buffer, for their taker to empty.
+#[derive(Clone, Debug)]
+pub struct LineSink<'a> {
+    names: &'a LogNames,
+    /// Whole lines, each with its end.
+    pub lines: Vec<u8>,
+    /// How many lines were made.
+    pub count: u64,
+}
+
+impl<'a> LineSink<'a> {
+    /// An empty buffer.
+    pub fn new(names: &'a LogNames) -> Self {
+        Self {
+            names,
+            lines: Vec::new(),
+            count: 0,
+        }
+    }
+}
+
+impl Sink for LineSink<'_> {
+    #[inline]
+    fn record(&mut self, record: &Record) {
+        write_event_line(record, self.names, &mut self.lines);
+        self.count += 1;
+    }
+}
+
+/// Appends a record as a line.
+#[inline]
+pub(crate) fn write_event_line(record: &Record, names: &LogNames, lines: &mut Vec<u8>) {
+    write_event(record, names, lines);
+    lines.push(b'\n');
+}
+
+/// Appends a record as one JSON object, without a line's end.
+pub(crate) fn write_event(record: &Record, names: &LogNames, line: &mut Vec<u8>) {
+    line.extend_from_slice(b"{\"kind\":\"");
+    line.extend_from_slice(record.event.kind().name().as_bytes());
+    line.extend_from_slice(b"\",\"step\":");
+    record.step.write(line);
+    line.extend_from_slice(b",\"pixel\":[");
+    record.pixel[0].write(line);
+    line.push(b',');
+    record.pixel[1].write(line);
+    line.push(b']');
+    let mut writer = LineWriter { names, line };
+    writer.optional("ray", "", &mut { record.ray });
+    if matches!(record.event, Event::Ray(_)) {
+        writer.optional("parent", "", &mut { record.parent });
+    }
+    { record.event }.fields(&mut writer);
+    line.push(b'}');
+}
+
+/// Puts each field into the line.
+struct LineWriter<'a> {
+    names: &'a LogNames,
+    line: &'a mut Vec<u8>,
+}
+
+impl LineWriter<'_> {
+    #[inline]
+    fn key(&mut self, key: &'static str) {
+        self.line.extend_from_slice(b",\"");
+        self.line.extend_from_slice(key.as_bytes());
+        self.line.extend_from_slice(b"\":");
+    }
+}
+
+impl Visitor for LineWriter<'_> {
+    #[inline]
+    fn field<T: Field>(&mut self, key: &'static str, _: &'static str, value: &mut T) {
+        let start = self.line.len();
+        self.key(key);
+        // infinity has no JSON: the field is absent
+        if !value.write(self.line) {
+            self.line.truncate(start);
+        }
+    }
+
+    #[inline]
+    fn optional<T: Field>(
+        &mut self,
+        key: &'static str,
+        meaning: &'static str,
+        value: &mut Option<T>,
+    ) {
+        if let Some(value) = value {
+            self.field(key, meaning, value);
+        }
+    }
+
+    #[inline]
+    fn object(
+        &mut self,
+        [name, face]: [&'static str; 2],
+        _: &'static str,
+        value: &mut Option<PrimitiveId>,
+        _: bool,
+    ) {
+        if let Some(id) = value {
+            let (object, number) = self.names.primitives[id.0 as usize];
+            self.key(name);
+            let quoted = &self.names.objects[object as usize];
+            self.line.extend_from_slice(quoted.as_bytes());
+            self.optional(face, "", &mut { number });
+        }
+    }
+
+    fn light(&mut self, _: &'static str, value: &mut Option<u32>, _: bool) {
+        if let Some(light) = value {
+            self.key("light");
+            let quoted = &self.names.lights[*light as usize];
+            self.line.extend_from_slice(quoted.as_bytes());
+        }
+    }
+
+    fn fail(&mut self, why: &'static str) {
+        debug_assert!(false, "an event of the tracer contradicts itself: {why}");
+    }
+}

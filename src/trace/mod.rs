@@ -1,0 +1,32 @@
+//! What happened: events, who records them, and the log that they are kept in.
+
+mod counts;
+mod event;
+mod fields;
+mod filter;
+mod flat_json;
+mod kinds;
+mod line_reader;
+mod log_error;
+mod log_reader;
+mod log_writer;
+mod ray_tree;
+mod recorder;
+mod schema;
+mod settings;
+mod words;
+
+pub use counts::{Counts, RayCount, TestCount};
+pub use event::{
+    Event, Kind, LightTerm, Nearest, Outcome, PixelColour, PixelSample, Purpose, RayEnd, RayStart,
+    Shade, Visibility,
+};
+pub use filter::{Budget, Filter, Kinds, Region};
+pub use log_error::LogError;
+pub use log_reader::{LogReader, begins_log};
+pub use log_writer::{LOG_VERSION, LineSink, LogNames, write_log_head};
+pub use ray_tree::{Item, RayNode, RayTree};
+use recorder::Numbering;
+pub use recorder::{Off, Record, Recorder, Recording, Sink};
+pub use schema::{scene_schema, trace_schema};
+pub use settings::{Settings, StrategyName, Through, Transport};

@@ -1,0 +1,344 @@
+//! Who listens to the tracer, and what a recording adds to each event.
+//!
+//! The algorithms mention recording in one line after a step: `recorder.note(|| event)`. With [`Off`]
+//! the compiler removes the line and all that only it needs; there is no flag to test at run time.
+
+use crate::trace::{Event, RayEnd};
+
+/// Hears of every step. A recorder never changes a result.
+pub trait Recorder {
+    /// Whether events are made at all. `false` removes each [`note`](Recorder::note) at compile time.
+    const ENABLED: bool;
+
+    /// A step was taken; the event is made only if somebody wants it.
+    fn note(&mut self, event: impl FnOnce() -> Event);
+}
+
+/// Nobody listens.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Off;
+
+impl Recorder for Off {
+    const ENABLED: bool = false;
+
+    #[inline(always)]
+    fn note(&mut self, _: impl FnOnce() -> Event) {}
+}
+
+impl<R: Recorder> Recorder for &mut R {
+    const ENABLED: bool = R::ENABLED;
+
+    #[inline]
+    fn note(&mut self, event: impl FnOnce() -> Event) {
+        (**self).note(event);
+    }
+}
+
+/// Two recorders are one: both hear every event.
+impl<A: Recorder, B: Recorder> Recorder for (A, B) {
+    const ENABLED: bool = A::ENABLED || B::ENABLED;
+
+    #[inline]
+    fn note(&mut self, event: impl FnOnce() -> Event) {
+        if Self::ENABLED {
+            let event = event();
+            self.0.note(|| event);
+            self.1.note(|| event);
+        }
+    }
+}
+
+/// An event with its place in the pixel's trace.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Record {
+    /// Column and row of the pixel.
+    pub pixel: [u32; 2],
+    /// The number of the event in the pixel, from 0.
+    pub step: u32,
+    /// The ray it belongs to, numbered in the order of their starts from 0; `None` for the pixel's own.
+    pub ray: Option<u32>,
+    /// For a ray's start: the ray that it was sent on from.
+    pub parent: Option<u32>,
+    /// What happened.
+    pub event: Event,
+}
+
+/// Takes records: a list, a file, a filter in front of one of them.
+pub trait Sink {
+    /// One more record, in the order in which it happened.
+    fn record(&mut self, record: &Record);
+}
+
+impl Sink for Vec<Record> {
+    #[inline]
+    fn record(&mut self, record: &Record) {
+        self.push(*record);
+    }
+}
+
+impl<S: Sink> Sink for &mut S {
+    #[inline]
+    fn record(&mut self, record: &Record) {
+        (**self).record(record);
+    }
+}
+
+/// Numbers the events and the rays of each pixel.
+///
+/// Rays nest: between a ray's start and its end lie its own tests and the whole of the rays sent on
+/// from it. So the ray that an event belongs to is the last one started and not ended.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Numbering {
+    pixel: [u32; 2],
+    step: u32,
+    rays: u32,
+    open: Vec<OpenRay>,
+}
+
+#[derive(Clone, Copy, Debug)]
+struct OpenRay {
+    id: u32,
+    tests: u32,
+    hits: u32,
+}
+
+impl Numbering {
+    /// The event with its place, and a ray's end with the tests that were counted on it.
+    pub(super) fn number(&mut self, mut event: Event) -> Record {
+        let mut parent = None;
+        let mut ray = self.open.last().map(|open| open.id);
+        match &mut event {
+            // numbers start again with each pixel
+            Event::Pixel(start) if start.sample == 0 => {
+                self.pixel = start.pixel;
+                self.step = 0;
+                self.rays = 0;
+                self.open.clear();
+                ray = None;
+            }
+            Event::Ray(_) => {
+                parent = ray;
+                ray = Some(self.rays);
+                self.open.push(OpenRay {
+                    id: self.rays,
+                    tests: 0,
+                    hits: 0,
+                });
+                self.rays += 1;
+            }
+            Event::RayEnd(end) => {
+                if let Some(OpenRay { tests, hits, .. }) = self.open.pop() {
+                    *end = RayEnd {
+                        tests,
+                        hits,
+                        ..*end
+                    };
+                }
+            }
+            other => {
+                if let Some(open) = self.open.last_mut() {
+                    let (tested, met) = other.object_tested();
+                    open.tests += u32::from(tested);
+                    open.hits += u32::from(met);
+                }
+            }
+        }
+        let step = self.step;
+        self.step += 1;
+        Record {
+            pixel: self.pixel,
+            step,
+            ray,
+            parent,
+            event,
+        }
+    }
+}
+
+/// Numbers every event and hands it to a sink.
+#[derive(Clone, Debug, Default)]
+pub struct Recording<S> {
+    sink: S,
+    numbering: Numbering,
+}
+
+impl<S: Sink> Recording<S> {
+    /// A recording into a sink.
+    pub fn new(sink: S) -> Self {
+        Self {
+            sink,
+            numbering: Numbering::default(),
+        }
+    }
+
+    /// The sink, to ask it how it is.
+    pub fn sink(&self) -> &S {
+        &self.sink
+    }
+
+    /// The sink, to empty it between two pixels.
+    pub fn sink_mut(&mut self) -> &mut S {
+        &mut self.sink
+    }
+
+    /// The sink, when all is done.
+    pub fn into_sink(self) -> S {
+        self.sink
+    }
+}
+
+impl<S: Sink> Recorder for Recording<S> {
+    const ENABLED: bool = true;
+
+    #[inline]
+    fn note(&mut self, event: impl FnOnce() -> Event) {
+        let record = self.numbering.number(event());
+        self.sink.record(&record);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::{Fate, QuadraticTest, Root, Roots};
+    use crate::scene::PrimitiveId;
+    use crate::trace::{PixelSample, RayStart};
+
+    fn ray() -> Event {
+        Event::Ray(RayStart::default())
+    }
+
+    fn end() -> Event {
+        Event::RayEnd(RayEnd::default())
+    }
+
+    fn sphere(hit: bool) -> Event {
+        let roots = if hit {
+            Roots::Graze(Root {
+                t: 1.0,
+                fate: Fate::Chosen,
+            })
+        } else {
+            Roots::None
+        };
+        Event::SphereTest {
+            object: PrimitiveId(0),
+            test: QuadraticTest {
+                roots,
+                ..QuadraticTest::default()
+            },
+        }
+    }
+
+    fn pixel(x: u32) -> Event {
+        Event::Pixel(PixelSample {
+            pixel: [x, 0],
+            samples: 1,
+            ..PixelSample::default()
+        })
+    }
+
+    fn record(events: &[Event]) -> Vec<Record> {
+        let mut recording = Recording::new(Vec::new());
+        for event in events {
+            recording.note(|| *event);
+        }
+        recording.into_sink()
+    }
+
+    #[test]
+    fn rays_are_numbered_in_the_order_of_their_starts_and_know_their_parent() {
+        let records = record(&[
+            pixel(3),
+            ray(),
+            ray(),
+            ray(),
+            end(),
+            end(),
+            ray(),
+            end(),
+            end(),
+        ]);
+        let rays: Vec<_> = records.iter().map(|r| r.ray).collect();
+        let numbers = [
+            None,
+            Some(0),
+            Some(1),
+            Some(2),
+            Some(2),
+            Some(1),
+            Some(3),
+            Some(3),
+            Some(0),
+        ];
+        assert_eq!(rays, numbers);
+        let parents: Vec<_> = records.iter().map(|r| r.parent).collect();
+        let expected = [
+            None,
+            None,
+            Some(0),
+            Some(1),
+            None,
+            None,
+            Some(0),
+            None,
+            None,
+        ];
+        assert_eq!(parents, expected);
+        assert!(
+            records
+                .iter()
+                .enumerate()
+                .all(|(i, r)| r.step as usize == i)
+        );
+        assert!(records.iter().all(|r| r.pixel == [3, 0]));
+    }
+
+    #[test]
+    fn numbers_start_again_in_each_pixel() {
+        let records = record(&[pixel(0), ray(), end(), pixel(1), ray(), end()]);
+        let again = &records[3..];
+        assert_eq!(again.iter().map(|r| r.step).collect::<Vec<_>>(), [0, 1, 2]);
+        assert_eq!(again[1].ray, Some(0));
+        assert_eq!(again[1].pixel, [1, 0]);
+    }
+
+    #[test]
+    fn each_ray_counts_its_own_tests() {
+        let records = record(&[
+            pixel(0),
+            ray(),
+            sphere(true),
+            sphere(false),
+            ray(),
+            sphere(false),
+            end(),
+            sphere(true),
+            end(),
+        ]);
+        let counts: Vec<_> = records
+            .iter()
+            .filter_map(|r| match r.event {
+                Event::RayEnd(end) => Some((end.tests, end.hits)),
+                _ => None,
+            })
+            .collect();
+        assert_eq!(counts, [(1, 0), (3, 2)]);
+    }
+
+    #[test]
+    fn both_of_a_pair_hear_every_event_and_it_is_made_once() {
+        let mut pair = (
+            Recording::new(Vec::new()),
+            (Off, Recording::new(Vec::new())),
+        );
+        let mut made = 0;
+        pair.note(|| {
+            made += 1;
+            ray()
+        });
+        assert_eq!(made, 1);
+        assert_eq!(pair.0.into_sink(), pair.1.1.into_sink());
+        const { assert!(!<(Off, Off)>::ENABLED) };
+    }
+}

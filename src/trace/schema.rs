@@ -1,0 +1,145 @@
+//! JSON Schemas of the scene file and of a line of the log.
+
+use schemars::SchemaGenerator;
+use schemars::generate::SchemaSettings;
+use serde_json::{Map, Value, json};
+
+use crate::scene::{PrimitiveId, SceneFile};
+use crate::trace::fields::{Field, Fields, Visitor};
+use crate::trace::log_writer::{Header, ObjectLine};
+use crate::trace::{Event, Kind};
+
+/// The JSON Schema (draft 2020-12) of a scene file.
+pub fn scene_schema() -> Value {
+    let mut schema = generator().into_root_schema_for::<SceneFile>().to_value();
+    schema["title"] = "raystep scene".into();
+    schema
+}
+
+/// The JSON Schema (draft 2020-12) of one line of a log.
+pub fn trace_schema() -> Value {
+    let mut generator = generator();
+    let header = generator.subschema_for::<Header>().to_value();
+    let object = generator.subschema_for::<ObjectLine>().to_value();
+    let mut lines = vec![
+        of_kind("trace", json!({ "version": { "const": 1 } }), &header),
+        of_kind("object", json!({}), &object),
+    ];
+    lines.extend(Kind::ALL.map(event_schema));
+    let definitions: Map<String, Value> = generator.take_definitions(true);
+    json!({
+        "$schema": "https://json-schema.org/draft/2020-12/schema",
+        "title": "one line of a raystep log",
+        "description": "JSON Lines: the line of kind trace comes first, then one line for each object, \
+                        then one line for each event, in the order in which it happened.",
+        "oneOf": lines,
+        "$defs": definitions,
+    })
+}
+
+fn generator() -> SchemaGenerator {
+    SchemaSettings::draft2020_12().into_generator()
+}
+
+/// A line whose form is a type of the head, and whose kind is fixed.
+fn of_kind(kind: &str, mut properties: Value, form: &Value) -> Value {
+    properties["kind"] = json!({ "const": kind });
+    json!({ "allOf": [form, { "properties": properties }] })
+}
+
+/// A line for an event.
+fn event_schema(kind: Kind) -> Value {
+    let described = described(kind);
+    json!({
+        "title": kind.name(),
+        "type": "object",
+        "properties": described.properties,
+        "required": described.required,
+        "additionalProperties": false,
+    })
+}
+
+/// The keys that a line of this kind may have.
+pub(super) fn keys_of(kind: Kind) -> Vec<String> {
+    described(kind)
+        .properties
+        .into_iter()
+        .map(|(key, _)| key)
+        .collect()
+}
+
+fn described(kind: Kind) -> Description {
+    let mut description = Description::default();
+    description.add(
+        "kind",
+        "the kind of event",
+        json!({ "const": kind.name() }),
+        true,
+    );
+    let mut step = 0_u32;
+    description.field(
+        "step",
+        "the number of the event in the pixel, from 0",
+        &mut step,
+    );
+    let pair = json!({
+        "type": "array", "items": u32::schema(), "minItems": 2, "maxItems": 2
+    });
+    description.add("pixel", "column and row from the top left", pair, true);
+    let mut ray = Some(0_u32);
+    if !matches!(kind, Kind::Pixel | Kind::PixelColour) {
+        description.optional("ray", "the ray, numbered in the pixel from 0", &mut ray);
+    }
+    let mut event = kind.blank();
+    if let Event::Ray(_) = event {
+        description.optional("parent", "the ray that it was sent on from", &mut ray);
+    }
+    event.fields(&mut description);
+    description
+}
+
+/// Describes each field.
+#[derive(Default)]
+struct Description {
+    properties: Map<String, Value>,
+    required: Vec<&'static str>,
+}
+
+impl Description {
+    fn add(&mut self, key: &'static str, meaning: &str, mut schema: Value, required: bool) {
+        schema["description"] = meaning.into();
+        self.properties.insert(key.into(), schema);
+        if required {
+            self.required.push(key);
+        }
+    }
+}
+
+impl Visitor for Description {
+    fn field<T: Field>(&mut self, key: &'static str, meaning: &'static str, _: &mut T) {
+        self.add(key, meaning, T::schema(), true);
+    }
+
+    fn optional<T: Field>(&mut self, key: &'static str, meaning: &'static str, _: &mut Option<T>) {
+        self.add(key, meaning, T::schema(), false);
+    }
+
+    fn object(
+        &mut self,
+        [name, face]: [&'static str; 2],
+        meaning: &'static str,
+        _: &mut Option<PrimitiveId>,
+        required: bool,
+    ) {
+        self.add(name, meaning, json!({ "type": "string" }), required);
+        let number = "the number of the face, if the object is a mesh";
+        self.add(face, number, u32::schema(), false);
+    }
+
+    fn light(&mut self, meaning: &'static str, _: &mut Option<u32>, required: bool) {
+        self.add("light", meaning, json!({ "type": "string" }), required);
+    }
+
+    // a blank event says nothing about its fields
+    fn fail(&mut self, _: &'static str) {}
+}

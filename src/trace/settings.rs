@@ -1,0 +1,77 @@
+//! How a trace was made: what the log's header says beside the scene.
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use crate::trace::Region;
+
+/// The choices that a trace depends on.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Settings {
+    /// Which objects each ray is tested against.
+    pub strategy: StrategyName,
+    /// Which rays are cast at all.
+    pub transport: Transport,
+    /// Where the eye rays pass a pixel.
+    pub through: Through,
+    /// Do opaque objects show only their front?
+    pub one_sided: bool,
+    /// The kinds of event that were kept; absent: all.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub only: Option<Vec<String>>,
+    /// The pixels that were kept; absent: all.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub region: Option<Region>,
+}
+
+impl Default for Settings {
+    fn default() -> Self {
+        Self {
+            strategy: StrategyName::Exhaustive,
+            transport: Transport::HybridLight,
+            through: Through::Centres,
+            one_sided: false,
+            only: None,
+            region: None,
+        }
+    }
+}
+
+/// Which objects a ray is tested against.
+#[derive(
+    Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema, clap::ValueEnum,
+)]
+#[serde(rename_all = "kebab-case")]
+pub enum StrategyName {
+    /// Every object, as in Fig. 15.56.
+    #[default]
+    Exhaustive,
+}
+
+/// Which kind of ray tracing, of the slides' five.
+#[derive(
+    Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema, clap::ValueEnum,
+)]
+#[serde(rename_all = "kebab-case")]
+pub enum Transport {
+    /// From the eye alone; no rays to lights, so no shadows.
+    Backward,
+    /// From the eye, with a ray to each light from each point.
+    #[default]
+    HybridLight,
+}
+
+/// Where the eye rays pass a pixel.
+#[derive(
+    Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema, clap::ValueEnum,
+)]
+#[serde(rename_all = "kebab-case")]
+pub enum Through {
+    /// One ray through its centre.
+    #[default]
+    Centres,
+    /// Four rays through its corners, of which the pixel is the mean. A picture shares them:
+    /// (width + 1) × (height + 1) in all.
+    Corners,
+}
