@@ -2,7 +2,9 @@
 
 pub mod geometry;
 pub mod scene;
+pub mod strategy;
 pub mod trace;
+pub mod tracer;
 
 pub use geometry::{
     Axis, AxisBox, BoxTest, Cone, DecidedBy, EdgeTest, Ellipsoid, Fate, GRAZE, Plane, PlaneTest,
@@ -15,10 +17,15 @@ pub use scene::{
     PhongTerm, Primitive, PrimitiveId, Scene, SceneFault, SceneFile, Shape, load, load_bytes,
     nearest_name,
 };
+pub use strategy::{Exhaustive, Hit, NearestSoFar, Strategy, test_primitive};
 pub use trace::{
     Budget, Counts, Event, Filter, Item, Kind, Kinds, LightTerm, LineSink, LogError, LogNames,
     LogReader, Nearest, Off, Outcome, PixelColour, PixelSample, Purpose, RayCount, RayEnd, RayNode,
     RayStart, RayTree, Record, Recorder, Recording, Region, Settings, Shade, Sink, StrategyName,
     TestCount, Through, Transport, Visibility, begins_log, scene_schema, trace_schema,
     write_log_head,
+};
+pub use tracer::{
+    EPSILON, LogOptions, LogStopped, Picture, Tracer, eye_samples, render, start_epsilon,
+    trace_pixel, write_log,
 };

@@ -1,0 +1,112 @@
+//! The log of a picture or a part of it, streamed while it is traced.
+
+use std::collections::BTreeMap;
+use std::io::{self, Write};
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{Mutex, PoisonError};
+
+use crate::strategy::Strategy;
+use crate::trace::{
+    Filter, Kinds, LogNames, Record, Recorder, Recording, Region, Settings, Sink, write_event_line,
+    write_log_head,
+};
+use crate::tracer::in_order::{InOrder, Stopped, Tile};
+use crate::tracer::{Tracer, trace_pixel};
+
+/// What of the trace is written.
+#[derive(Clone, Debug)]
+pub struct LogOptions {
+    /// The pixels.
+    pub region: Region,
+    /// The kinds of event.
+    pub kinds: Kinds,
+    /// How many events at most.
+    pub budget: u64,
+}
+
+/// Why a log was not written to its end.
+#[derive(Debug)]
+pub enum LogStopped {
+    /// The output failed.
+    Output(io::Error),
+    /// There are more events than the budget allows.
+    Budget,
+}
+
+/// Writes the log of a region: the head, then every pixel's events, scan line by scan line.
+///
+/// The scan lines are traced on the threads of the current pool and written in order: the same bytes
+/// on any number of threads, in memory that does not grow with the picture. `done` hears how many
+/// scan lines are finished. A pixel's eye rays are its own here, also through the corners, so that each
+/// pixel of the log stands alone.
+///
+/// What else shall hear of the trace (`Counts`, or `Off`) is given back, one for each scan line from top
+/// to bottom.
+///
+/// # Errors
+/// A failing output, or more events than the budget.
+pub fn write_log<S: Strategy, R: Recorder + Default + Send>(
+    tracer: &Tracer<'_, S>,
+    settings: &Settings,
+    options: &LogOptions,
+    mut out: impl Write + Send,
+    done: impl Fn(usize) + Sync,
+) -> Result<Vec<R>, LogStopped> {
+    write_log_head(tracer.scene, settings, &mut out).map_err(LogStopped::Output)?;
+    let names = LogNames::new(tracer.scene);
+    let ([left, top], [right, bottom]) = (options.region.from, options.region.to);
+    let finished = AtomicUsize::new(0);
+
+    let shared = InOrder::new(&mut out, options.budget);
+    let rows = (bottom - top + 1) as usize;
+    let heard = Mutex::new(BTreeMap::new());
+    let stopped = shared.run(rows, |tile| {
+        let row = tile.number();
+        let y = top + row as u32;
+        let recording = Recording::new(Filter {
+            kinds: options.kinds,
+            region: None,
+            sink: TileSink {
+                names: &names,
+                tile,
+            },
+        });
+        let mut both = (recording, R::default());
+        for x in left..=right {
+            trace_pixel(tracer, [x, y], settings.through, &mut both);
+            if both.0.sink().sink.tile.is_stopped() {
+                break;
+            }
+        }
+        let (recording, other) = both;
+        recording.into_sink().sink.tile.finish();
+        heard
+            .lock()
+            .unwrap_or_else(PoisonError::into_inner)
+            .insert(row, other);
+        done(finished.fetch_add(1, Ordering::Relaxed) + 1);
+    });
+    match stopped {
+        Some(Stopped::Output(error)) => return Err(LogStopped::Output(error)),
+        Some(Stopped::Budget) => return Err(LogStopped::Budget),
+        None => {}
+    }
+    out.flush().map_err(LogStopped::Output)?;
+    let heard = heard.into_inner().unwrap_or_else(PoisonError::into_inner);
+    Ok(heard.into_values().collect())
+}
+
+/// Makes lines of the records of one scan line.
+struct TileSink<'a, W> {
+    names: &'a LogNames,
+    tile: Tile<'a, W>,
+}
+
+impl<W: Write + Send> Sink for TileSink<'_, W> {
+    #[inline]
+    fn record(&mut self, record: &Record) {
+        let names = self.names;
+        self.tile
+            .line(|lines| write_event_line(record, names, lines));
+    }
+}

@@ -1,0 +1,83 @@
+//! A whole picture: scan lines over threads.
+
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use glam::DVec3;
+use rayon::prelude::*;
+
+use crate::strategy::Strategy;
+use crate::trace::{Recorder, Through};
+use crate::tracer::Tracer;
+use crate::tracer::pixel::mean;
+
+/// The colours of a picture, row by row from the top left, before they are cut to 0..1.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Picture {
+    /// Width and height.
+    pub pixels: [u32; 2],
+    /// One colour per pixel.
+    pub colours: Vec<DVec3>,
+}
+
+impl Picture {
+    /// The picture in 8 bits a channel, cut to 0..1, without gamma.
+    pub fn bytes(&self) -> Vec<u8> {
+        let byte = |value: f64| (value.clamp(0.0, 1.0) * 255.0).round() as u8;
+        self.colours
+            .iter()
+            .flat_map(|colour| colour.to_array().map(byte))
+            .collect()
+    }
+}
+
+/// Traces a picture on the threads of the current pool: "for (each scan line in image) for (each pixel
+/// in scan line)" (Fig. 15.56), and what the recorders of the scan lines heard, from top to bottom.
+///
+/// Through the corners, a picture of W × H pixels takes (W + 1) × (H + 1) eye rays, each shared by the
+/// pixels around it. `done` hears how many scan lines of eye rays are finished.
+pub fn render<S: Strategy, R: Recorder + Default + Send>(
+    tracer: &Tracer<'_, S>,
+    through: Through,
+    done: impl Fn(usize) + Sync,
+) -> (Picture, Vec<R>) {
+    let camera = &tracer.scene.camera;
+    let [width, height] = camera.pixels.map(|side| side as usize);
+    // the grid of eye rays: one in each cell, or one on each crossing of its lines
+    let (columns, rows, offset) = match through {
+        Through::Centres => (width, height, 0.5),
+        Through::Corners => (width + 1, height + 1, 0.0),
+    };
+
+    let finished = AtomicUsize::new(0);
+    let trace_row = |row: usize| {
+        let mut recorder = R::default();
+        let colours: Vec<DVec3> = (0..columns)
+            .map(|column| {
+                let (ray, window_t) = camera.eye_ray(column as f64 + offset, row as f64 + offset);
+                tracer.eye_ray(ray, window_t, &mut recorder)
+            })
+            .collect();
+        done(finished.fetch_add(1, Ordering::Relaxed) + 1);
+        (colours, recorder)
+    };
+    let (lines, recorders): (Vec<Vec<DVec3>>, Vec<R>) =
+        (0..rows).into_par_iter().map(trace_row).unzip();
+
+    let colours = match through {
+        Through::Centres => lines.into_iter().flatten().collect(),
+        Through::Corners => lines
+            .windows(2)
+            .flat_map(|pair| {
+                let (above, below) = (&pair[0], &pair[1]);
+                (0..width).map(move |x| {
+                    mean([above[x], above[x + 1], below[x], below[x + 1]].into_iter())
+                })
+            })
+            .collect(),
+    };
+    let picture = Picture {
+        pixels: camera.pixels,
+        colours,
+    };
+    (picture, recorders)
+}
