@@ -1,11 +1,55 @@
-//! raystep: a ray tracer that shows its working.
+//! raystep is a ray tracer that shows its working.
+//!
+//! It traces a scene as a lecture on ray tracing describes it and records every step: each ray, each
+//! coefficient and root of a sphere test, each rejected parallel plane, each edge of a polygon, each term
+//! of the shade. From that record, and from nothing else, it prints a worked solution.
+//!
+//! # In reading order
+//!
+//! 1. [`geometry`]: the ray (i), the sphere (ii) (iii), the plane (iv) (v) and the polygon (Fig. 15.57), each
+//!    test a pure function that returns its working;
+//! 2. [`scene`]: the camera with its window, objects, materials and lights, and the file they come from;
+//! 3. [`trace`]: what can happen to a ray, who records it, and the log as JSON Lines;
+//! 4. [`strategy`]: which objects a ray is tested against: every one (Fig. 15.56);
+//! 5. [`tracer`]: what a hit leads to: shadow rays, reflection, refraction; pixels and pictures;
+//! 6. [`explain`]: from events to words.
+//!
+//! Equations and figures are numbered as in the course's slides, after Foley, van Dam, Feiner and Hughes,
+//! *Computer Graphics: Principles and Practice*, §15.10.
+//!
+//! # Example
+//!
+//! ```
+//! use std::path::Path;
+//!
+//! use raystep::{Exhaustive, Recording, Settings, Through, Tracer, Transport, WorkedOptions};
+//!
+//! # fn main() -> Result<(), raystep::LoadError> {
+//! let scene = raystep::load(Path::new("lessons/04-sphere/scene.json"))?.build()?;
+//! let strategy = Exhaustive::new(&scene);
+//! let tracer = Tracer { scene: &scene, strategy: &strategy, transport: Transport::HybridLight };
+//!
+//! let mut recording = Recording::new(Vec::new());
+//! raystep::trace_pixel(&tracer, [80, 60], Through::Centres, &mut recording);
+//! let records = recording.into_sink();
+//!
+//! let options = WorkedOptions::default();
+//! let text = raystep::worked_solution(&scene, &Settings::default(), &records, &options);
+//! assert!(text.contains("t = (-b ± √3.9973506)/2a"));
+//! # Ok(())
+//! # }
+//! ```
 
+pub mod explain;
 pub mod geometry;
 pub mod scene;
 pub mod strategy;
 pub mod trace;
 pub mod tracer;
 
+pub use explain::{
+    WorkedOptions, counts_json, counts_text, pixel_json, printable, worked_solution,
+};
 pub use geometry::{
     Axis, AxisBox, BoxTest, Cone, DecidedBy, EdgeTest, Ellipsoid, Fate, GRAZE, Plane, PlaneTest,
     PlaneVerdict, Polygon, PolygonError, PolygonTest, QuadraticTest, Ray, Refraction, Root, Roots,

@@ -1,12 +1,17 @@
 //! The integration tests: one binary, a module per subject.
 
+mod calculator;
 mod exact;
 mod layers;
 mod polygon_exact;
 mod polygon_tilings;
 mod published_counts;
+mod recording;
 mod refraction_table;
 mod scene_format;
+mod schema;
 mod seeded;
 mod sphere_exact;
+mod trace_log;
 mod watertight;
+mod worked_solution;

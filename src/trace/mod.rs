@@ -24,8 +24,8 @@ pub use event::{
 pub use filter::{Budget, Filter, Kinds, Region};
 pub use log_error::LogError;
 pub use log_reader::{LogReader, begins_log};
-pub(crate) use log_writer::write_event_line;
 pub use log_writer::{LOG_VERSION, LineSink, LogNames, write_log_head};
+pub(crate) use log_writer::{write_event, write_event_line};
 pub use ray_tree::{Item, RayNode, RayTree};
 use recorder::Numbering;
 pub use recorder::{Off, Record, Recorder, Recording, Sink};

@@ -1,0 +1,64 @@
+//! The working of a pixel as one JSON document: the tree of its rays.
+
+use serde_json::{Map, Value, json};
+
+use crate::scene::Scene;
+use crate::trace::{Item, LogNames, RayTree, Record, Settings, write_event};
+
+/// The working of a pixel as a tree: `pixel`, `settings`, `events` of the pixel itself, and `rays`, each
+/// with its `events` as the log has them and the `rays` sent on from it.
+pub fn pixel_json(scene: &Scene, settings: &Settings, records: &[Record]) -> Value {
+    let tree = RayTree::new(records);
+    let names = LogNames::new(scene);
+    let mut document = node(&tree.items, &tree, records, &names);
+    document.insert("scene".into(), scene.name.clone().into());
+    document.insert("settings".into(), json!(settings));
+    if let Some(record) = records.first() {
+        document.insert("pixel".into(), json!(record.pixel));
+    }
+    Value::Object(document)
+}
+
+fn node(
+    items: &[Item],
+    tree: &RayTree,
+    records: &[Record],
+    names: &LogNames,
+) -> Map<String, Value> {
+    let mut events = Vec::new();
+    let mut rays = Vec::new();
+    for item in items {
+        match *item {
+            Item::Event(at) => events.push(event(&records[at], names)),
+            Item::Ray(place) => {
+                let ray = &tree.rays[place];
+                let mut object = node(&ray.items, tree, records, names);
+                object.insert("id".into(), ray.id.into());
+                let of_ray = records.iter().filter(|r| r.ray == Some(ray.id));
+                for record in of_ray {
+                    match record.event {
+                        crate::trace::Event::Ray(_) => {
+                            object.insert("start".into(), event(record, names));
+                        }
+                        crate::trace::Event::RayEnd(_) => {
+                            object.insert("end".into(), event(record, names));
+                        }
+                        _ => {}
+                    }
+                }
+                rays.push(Value::Object(object));
+            }
+        }
+    }
+    let mut object = Map::new();
+    object.insert("events".into(), events.into());
+    object.insert("rays".into(), rays.into());
+    object
+}
+
+/// An event as the log has it.
+fn event(record: &Record, names: &LogNames) -> Value {
+    let mut line = Vec::new();
+    write_event(record, names, &mut line);
+    serde_json::from_slice(&line).unwrap_or(Value::Null)
+}

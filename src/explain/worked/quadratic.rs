@@ -1,0 +1,351 @@
+//! Sphere, ellipsoid and cone: the quadratic with its numbers, its roots and their fates.
+
+use glam::DVec3;
+
+use crate::explain::number::Digits;
+use crate::explain::page::Tone;
+use crate::explain::worked::Solution;
+use crate::explain::worked::steps::Course;
+use crate::geometry::{Fate, QuadraticTest, Ray, Root, Roots};
+use crate::scene::{PrimitiveId, Shape};
+use crate::trace::Purpose;
+
+impl Solution<'_> {
+    /// Equation (iii).
+    pub(super) fn sphere(
+        &mut self,
+        object: PrimitiveId,
+        test: &QuadraticTest,
+        course: &Course,
+        full: bool,
+    ) {
+        let Shape::Sphere(sphere) = &self.scene.primitive(object).shape else {
+            return;
+        };
+        let (center, radius) = (sphere.center, sphere.radius);
+        let d = Digits::USUAL;
+        let what = format!(
+            "sphere, center {}, radius {}",
+            d.vector(center),
+            d.number(radius)
+        );
+        let Some(start) = course.start else {
+            return self.quadratic_in_short(object, &what, test, course);
+        };
+        if !full {
+            return self.quadratic_in_short(object, &what, test, course);
+        }
+        self.object_line(object, &what);
+        let offset = start.ray.origin - center;
+        self.page.indent();
+        self.page.plain("a·t² + b·t + c = 0 … (iii)");
+        let given = format!("o - center = {}", precise(test, offset).vector(offset));
+        self.page.plain(given);
+        self.coefficients(&Ray::new(offset, start.ray.direction), radius, test);
+        self.roots(test);
+        self.verdict(&test.roots, course);
+        self.page.outdent();
+    }
+
+    /// Equation (iii) for the unit sphere that the ellipsoid is in a space of its own.
+    pub(super) fn ellipsoid(
+        &mut self,
+        object: PrimitiveId,
+        test: &QuadraticTest,
+        course: &Course,
+        full: bool,
+    ) {
+        let Shape::Ellipsoid(ellipsoid) = &self.scene.primitive(object).shape else {
+            return;
+        };
+        let (center, radii) = (ellipsoid.center, ellipsoid.radii);
+        let d = Digits::USUAL;
+        let what = format!(
+            "ellipsoid, center {}, radii {}",
+            d.vector(center),
+            d.vector(radii)
+        );
+        let Some(start) = course.start.filter(|_| full) else {
+            return self.quadratic_in_short(object, &what, test, course);
+        };
+        self.object_line(object, &what);
+        let scaled = Ray::new(
+            (start.ray.origin - center) / radii,
+            start.ray.direction / radii,
+        );
+        let d = precise(test, scaled.origin);
+        self.page.indent();
+        self.page.plain(
+            "divided by its radii it is the unit sphere, and t stays: a·t² + b·t + c = 0 … (iii)",
+        );
+        self.page.plain(format!(
+            "o - center → (o - center)/radii = {}",
+            d.vector(scaled.origin)
+        ));
+        self.page
+            .plain(format!("Δ → Δ/radii = {}", d.vector(scaled.direction)));
+        self.coefficients(&scaled, 1.0, test);
+        self.roots(test);
+        self.verdict(&test.roots, course);
+        self.page.outdent();
+    }
+
+    /// The quadratic of an open cone or cylinder.
+    pub(super) fn cone(
+        &mut self,
+        object: PrimitiveId,
+        test: &QuadraticTest,
+        course: &Course,
+        full: bool,
+    ) {
+        let Shape::Cone(cone) = &self.scene.primitive(object).shape else {
+            return;
+        };
+        let cone = *cone;
+        let d = Digits::USUAL;
+        let [base_radius, apex_radius] = cone.radii();
+        let what = if base_radius == apex_radius {
+            format!(
+                "cylinder from {} to {}, radius {}",
+                d.vector(cone.base()),
+                d.vector(cone.apex()),
+                d.number(base_radius)
+            )
+        } else {
+            format!(
+                "cone from {}, radius {}, to {}, radius {}",
+                d.vector(cone.base()),
+                d.number(base_radius),
+                d.vector(cone.apex()),
+                d.number(apex_radius)
+            )
+        };
+        let Some(start) = course.start.filter(|_| full) else {
+            return self.quadratic_in_short(object, &what, test, course);
+        };
+        self.object_line(object, &what);
+        let (axis, slope) = (cone.axis(), cone.slope());
+        let m = start.ray.origin - cone.base();
+        let (height, climb) = (m.dot(axis), start.ray.direction.dot(axis));
+        let across = m - height * axis;
+        let direction = start.ray.direction - climb * axis;
+        let radius = base_radius + slope * height;
+        let d = precise(test, across);
+        self.page.indent();
+        self.page.plain(format!(
+            "axis w = {}, height {}, k = (r_apex - r_base)/height = {}",
+            d.vector(axis),
+            d.number(cone.height()),
+            d.number(slope)
+        ));
+        self.page.plain(format!(
+            "m = o - base: m·w = {}, across the axis m⊥ = {}",
+            d.number(height),
+            d.vector(across)
+        ));
+        self.page.plain(format!(
+            "Δ: Δ·w = {}, across the axis Δ⊥ = {}; radius at the origin's height R = {}",
+            d.number(climb),
+            d.vector(direction),
+            d.number(radius)
+        ));
+        self.page.plain(format!(
+            "a = Δ⊥·Δ⊥ - k²(Δ·w)² = {} - {}²·{}² = {}",
+            d.number(direction.length_squared()),
+            d.factor(slope),
+            d.factor(climb),
+            d.number(test.a)
+        ));
+        self.page.plain(format!(
+            "b = 2[Δ⊥·m⊥ - k(Δ·w)R] = 2·[{} - {}·{}·{}] = {}",
+            d.number(direction.dot(across)),
+            d.factor(slope),
+            d.factor(climb),
+            d.factor(radius),
+            d.number(test.b)
+        ));
+        self.page.plain(format!(
+            "c = m⊥·m⊥ - R² = {} - {}² = {}",
+            d.number(across.length_squared()),
+            d.factor(radius),
+            d.difference(across.length_squared(), test.c)
+        ));
+        self.roots(test);
+        for root in test.roots.iter() {
+            let y = height + root.t * climb;
+            self.page.plain(format!(
+                "height over the base at t = {}: m·w + t·(Δ·w) = {} {} = {}, of 0 to {}",
+                d.number(root.t),
+                d.number(height),
+                d.term(root.t * climb),
+                d.number(y),
+                d.number(cone.height())
+            ));
+        }
+        self.verdict(&test.roots, course);
+        self.page.outdent();
+    }
+
+    /// a, b and c of a sphere of a radius around the origin.
+    fn coefficients(&mut self, ray: &Ray, radius: f64, test: &QuadraticTest) {
+        let d = precise(test, ray.origin);
+        let (offset, direction) = (ray.origin, ray.direction);
+        self.page.plain(format!(
+            "a = Δ·Δ = {} = {}",
+            d.squares(direction),
+            d.number(test.a)
+        ));
+        self.page.plain(format!(
+            "b = 2·Δ·(o - center) = 2·[{}] = {}",
+            d.dot(direction, offset),
+            d.number(test.b)
+        ));
+        self.page.plain(format!(
+            "c = |o - center|² - r² = {} - {}² = {}",
+            d.squares(offset),
+            d.number(radius),
+            d.difference(offset.length_squared(), test.c)
+        ));
+    }
+
+    /// The discriminant and the roots.
+    fn roots(&mut self, test: &QuadraticTest) {
+        let (b2, ac4) = (test.b * test.b, 4.0 * test.a * test.c);
+        let size = b2.abs().max(ac4.abs());
+        let d = Digits::for_difference(size, test.discriminant);
+        let discriminant = format!(
+            "b² - 4ac = {} {} = {}",
+            d.number(b2),
+            d.term(-ac4),
+            d.difference(size, test.discriminant)
+        );
+        match test.roots {
+            Roots::None if test.discriminant < 0.0 => {
+                self.page.plain(format!("{discriminant} < 0: no real root"));
+            }
+            Roots::None => self.page.plain(format!(
+                "a = 0 and b = 0: {} = 0 has no solution for any t",
+                d.number(test.c)
+            )),
+            Roots::Graze(root) => {
+                self.page
+                    .plain(format!("{discriminant}: one double root, a graze"));
+                self.page.plain(format!(
+                    "t = -b/2a = {}/{} = {}",
+                    d.number(-test.b),
+                    d.factor(2.0 * test.a),
+                    d.number(root.t)
+                ));
+            }
+            Roots::Two { near, far } => {
+                self.page
+                    .plain(format!("{discriminant} > 0: two real roots"));
+                self.page.plain(format!(
+                    "t = (-b ± √{})/2a = ({} ± {})/{} = {} and {}",
+                    d.number(test.discriminant),
+                    d.number(-test.b),
+                    d.number(test.discriminant.sqrt()),
+                    d.factor(2.0 * test.a),
+                    d.number(near.t),
+                    d.number(far.t)
+                ));
+            }
+            Roots::Linear(root) => self.page.plain(format!(
+                "a = 0: b·t + c = 0, t = -c/b = {}/{} = {}",
+                d.number(-test.c),
+                d.factor(test.b),
+                d.number(root.t)
+            )),
+        }
+    }
+
+    /// What becomes of each root.
+    fn verdict(&mut self, roots: &Roots, course: &Course) {
+        let (tone, text) = match roots {
+            Roots::None => (Tone::Refused, "missed".into()),
+            _ if roots.chosen().is_some() => (Tone::Found, fates(roots, course)),
+            _ => (Tone::Refused, fates(roots, course)),
+        };
+        self.page.line(tone, text);
+    }
+
+    /// A miss: the equation with its numbers, and the verdict.
+    fn quadratic_in_short(
+        &mut self,
+        object: PrimitiveId,
+        what: &str,
+        test: &QuadraticTest,
+        course: &Course,
+    ) {
+        let (b2, ac4) = (test.b * test.b, 4.0 * test.a * test.c);
+        let d = Digits::for_difference(b2.abs().max(ac4.abs()), test.discriminant);
+        self.object_line(object, what);
+        let equation = format!(
+            "{}·t² {}·t {} = 0: b² - 4ac = {} {} = {}",
+            d.number(test.a),
+            d.term(test.b),
+            d.term(test.c),
+            d.number(b2),
+            d.term(-ac4),
+            d.difference(b2.abs().max(ac4.abs()), test.discriminant)
+        );
+        let verdict = match test.roots {
+            Roots::None if test.discriminant < 0.0 => " < 0, no real root: missed".into(),
+            Roots::None => ": no t solves it, missed".into(),
+            _ => format!("; {}", fates(&test.roots, course)),
+        };
+        self.page
+            .indented(|page| page.line(Tone::Refused, format!("{equation}{verdict}")));
+    }
+
+    /// The name of an object and what it is.
+    pub(super) fn object_line(&mut self, object: PrimitiveId, what: &str) {
+        let name = self.name(object);
+        self.page.line(Tone::Heading, format!("{name}: {what}"));
+    }
+}
+
+/// Digits for a, b and c: c is a difference too, that of |o − center|² and r².
+fn precise(test: &QuadraticTest, offset: DVec3) -> Digits {
+    let (b2, ac4) = (test.b * test.b, 4.0 * test.a * test.c);
+    let for_c = Digits::for_difference(offset.length_squared(), test.c);
+    Digits::for_difference(b2.abs().max(ac4.abs()), test.discriminant).or(for_c)
+}
+
+/// What becomes of each root, in one sentence.
+pub(super) fn fates(roots: &Roots, course: &Course) -> String {
+    let chosen = roots.chosen();
+    let sentences: Vec<String> = roots
+        .iter()
+        .map(|root| fate(root, chosen, course))
+        .collect();
+    sentences.join("; ")
+}
+
+/// What becomes of one root.
+pub(super) fn fate(root: Root, chosen: Option<f64>, course: &Course) -> String {
+    let d = Digits::USUAL;
+    let t = format!("t = {}", d.number(root.t));
+    match root.fate {
+        Fate::Chosen => format!("{t} is the smallest that counts: a hit"),
+        Fate::Behind if root.t == 0.0 => format!("{t} is the origin itself"),
+        Fate::Behind => format!("{t} lies behind the origin"),
+        Fate::BelowEpsilon => format!("{t} is 0 within ε: the surface that the ray starts on"),
+        Fate::BeyondNearest if chosen.is_some() => format!("{t} lies beyond it"),
+        Fate::BeyondNearest => match (course.nearest, course.start) {
+            (Some(nearest), _) => {
+                format!(
+                    "{t} is further than the nearest hit so far, t = {}",
+                    d.number(nearest)
+                )
+            }
+            (None, Some(start)) if start.purpose == Purpose::Shadow => {
+                format!("{t} lies beyond the light")
+            }
+            _ => format!("{t} is too far"),
+        },
+        Fate::BackFace => format!("{t} meets the back, and only the front shows"),
+        Fate::FrontFace => format!("{t} meets the front, and only the back shows"),
+        Fate::BeyondEnds => format!("{t} lies beyond the ends"),
+    }
+}

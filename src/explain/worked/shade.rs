@@ -1,0 +1,236 @@
+//! The shade of a point, term by term.
+//!
+//! I = ambient·colour + Σ over visible lights of light·[colour·diffuse·max(0, N·L)
+//! + specular·max(0, R·V)^shininess] + reflection·I_reflected + transmission·I_refracted
+
+use glam::DVec3;
+
+use crate::explain::number::Digits;
+use crate::explain::page::Tone;
+use crate::explain::worked::Solution;
+use crate::explain::worked::ray::to_light;
+use crate::explain::worked::steps::Course;
+use crate::geometry::{Refraction, reflect};
+use crate::scene::{Emission, Material};
+use crate::trace::{Item, Kind, LightTerm, Purpose, Shade, Visibility};
+
+impl Solution<'_> {
+    /// The diffuse and the specular term of one light.
+    pub(super) fn light(&mut self, light: &LightTerm, course: &Course) {
+        if !self.shows(Kind::LightTerm) {
+            return;
+        }
+        let d = Digits::USUAL;
+        let term = &light.term;
+        let (tone, verdict) = match light.visibility {
+            Visibility::Visible => (Tone::Found, "visible"),
+            Visibility::Shadowed => (Tone::Refused, "in shadow, adds nothing"),
+            Visibility::FacesAway if term.distance == 0.0 => {
+                (Tone::Refused, "stands in the point itself, adds nothing")
+            }
+            Visibility::FacesAway => (
+                Tone::Refused,
+                "N·L ≤ 0, the surface faces away: no shadow ray, adds nothing",
+            ),
+            Visibility::NotTested => (Tone::Plain, "taken as visible: no ray is cast to it"),
+        };
+        let name = self.light_name(light.light);
+        self.page.line(tone, format!("Light {name}: {verdict}"));
+        self.page.indent();
+        let lamp = self.scene.lights.get(light.light as usize);
+        if let (Some(lamp), Some(shade)) = (lamp, course.shade) {
+            let text = to_light(lamp.position, shade.point);
+            let product = d.dot(shade.normal, term.to_light);
+            self.page
+                .plain(format!("L{text} = {}", d.vector(term.to_light)));
+            self.page
+                .plain(format!("N·L = {product} = {}", d.number(term.n_dot_l)));
+        }
+        let adds = matches!(
+            light.visibility,
+            Visibility::Visible | Visibility::NotTested
+        );
+        let material = course
+            .shade
+            .map(|shade| *self.scene.material_of(shade.object));
+        if let (true, Some(lamp), Some(material)) = (adds, lamp, material) {
+            let colour = d.vector(material.colour.into());
+            match lamp.emission {
+                Emission::Colour(intensity) => {
+                    self.page.plain(format!(
+                        "diffuse: light·colour·diffuse·(N·L) = {}·{colour}·{}·{} = {}",
+                        d.vector(intensity),
+                        d.number(material.diffuse),
+                        d.number(term.n_dot_l),
+                        d.vector(term.diffuse)
+                    ));
+                    self.highlight(light, course, intensity, &material);
+                }
+                Emission::Power(power) => {
+                    let r2 = term.distance * term.distance;
+                    let irradiance = power * term.n_dot_l / (4.0 * std::f64::consts::PI * r2);
+                    self.page.plain(format!(
+                        "irradiance: E = Φ·(N·L)/(4π·r²) = {}·{}/(4π·{}²) = {}",
+                        d.number(power),
+                        d.number(term.n_dot_l),
+                        d.number(term.distance),
+                        d.number(irradiance)
+                    ));
+                    self.page.plain(format!(
+                        "reflected: colour·diffuse/π·E = {colour}·{}/π·{} = {}",
+                        d.number(material.diffuse),
+                        d.number(irradiance),
+                        d.vector(term.diffuse)
+                    ));
+                    self.page
+                        .plain("specular: none, a light with a power has no highlight");
+                }
+            }
+        }
+        self.page.outdent();
+    }
+
+    /// The specular term of a light.
+    fn highlight(
+        &mut self,
+        light: &LightTerm,
+        course: &Course,
+        intensity: DVec3,
+        material: &Material,
+    ) {
+        let d = Digits::USUAL;
+        let term = &light.term;
+        if material.specular == 0.0 {
+            self.page
+                .plain("specular: none, the material's coefficient is 0");
+            return;
+        }
+        if let (Some(start), Some(shade)) = (course.start, course.shade) {
+            let mirrored = reflect(-term.to_light, shade.normal);
+            let to_viewer = -start.ray.direction;
+            self.page.plain(format!(
+                "R = 2(N·L)N - L = {}, V = -Δ = {}",
+                d.vector(mirrored),
+                d.vector(to_viewer)
+            ));
+            let product = d.dot(mirrored, to_viewer);
+            self.page
+                .plain(format!("R·V = {product} = {}", d.number(term.r_dot_v)));
+        }
+        if term.r_dot_v <= 0.0 {
+            self.page.plain("specular: none, R·V is not above 0");
+            return;
+        }
+        self.page.plain(format!(
+            "specular: light·specular·(R·V)^shininess = {}·{}·{}^{} = {}",
+            d.vector(intensity),
+            d.number(material.specular),
+            d.number(term.r_dot_v),
+            d.number(material.shininess),
+            d.vector(term.specular)
+        ));
+    }
+
+    /// Snell's law.
+    pub(super) fn refraction(&mut self, refraction: &Refraction, course: &Course) {
+        if !self.shows(Kind::Refraction) {
+            return;
+        }
+        let d = Digits::USUAL;
+        let (n1, n2) = (refraction.index_from, refraction.index_to);
+        let eta = n1 / n2;
+        self.page.plain(format!(
+            "Refraction from index {} into {} (outside of an object it is 1)",
+            d.number(n1),
+            d.number(n2)
+        ));
+        self.page.indent();
+        self.page.plain("n₁·sin θ₁ = n₂·sin θ₂ (Snell)");
+        // what is left of 1 near the critical angle is told with all its digits
+        let d = Digits::for_difference(1.0, refraction.cos_refracted_squared);
+        self.page.plain(format!(
+            "cos θ₁ = -Δ·N = {}",
+            d.number(refraction.cos_incident)
+        ));
+        let squared = format!(
+            "cos²θ₂ = 1 - (n₁/n₂)²·(1 - cos²θ₁) = 1 - {}²·(1 - {}²) = {}",
+            d.number(eta),
+            d.factor(refraction.cos_incident),
+            d.number(refraction.cos_refracted_squared)
+        );
+        match refraction.direction {
+            Some(direction) => {
+                let cosine = refraction.cos_refracted_squared.sqrt();
+                self.page
+                    .plain(format!("{squared}, cos θ₂ = {}", d.number(cosine)));
+                let parts = course.start.zip(course.shade).map(|(start, shade)| {
+                    format!(
+                        " = {}·{} + ({}·{} - {})·{}",
+                        d.number(eta),
+                        d.vector(start.ray.direction),
+                        d.number(eta),
+                        d.number(refraction.cos_incident),
+                        d.number(cosine),
+                        d.vector(shade.normal)
+                    )
+                });
+                self.page.plain(format!(
+                    "T = (n₁/n₂)·Δ + ((n₁/n₂)·cos θ₁ - cos θ₂)·N{} = {}",
+                    parts.unwrap_or_default(),
+                    d.vector(direction)
+                ));
+            }
+            None => {
+                let verdict =
+                    "< 0: total internal reflection, the transmission goes to the reflected ray";
+                self.page
+                    .line(Tone::Refused, format!("{squared} {verdict}"));
+            }
+        }
+        self.page.outdent();
+    }
+
+    /// What is known before the rays sent on come back.
+    pub(super) fn shade(&mut self, shade: &Shade) {
+        if !self.shows(Kind::Shade) {
+            return;
+        }
+        let d = Digits::USUAL;
+        let colour = DVec3::from(self.scene.material_of(shade.object).colour);
+        self.page.plain(format!(
+            "Ambient: {}·{} = {}",
+            d.vector(self.scene.ambient),
+            d.vector(colour),
+            d.vector(shade.ambient)
+        ));
+        self.page.plain(format!(
+            "Sum over the visible lights: {}",
+            d.vector(shade.direct)
+        ));
+    }
+
+    /// The terms of the sum that a ray brings back: `(…) + (…) + 0.1·(…) = `.
+    pub(super) fn sum(&self, course: &Course) -> Option<String> {
+        let d = Digits::USUAL;
+        let shade = course.shade?;
+        let mut terms = vec![d.vector(shade.ambient), d.vector(shade.direct)];
+        let mut words = vec!["ambient", "lights"];
+        for item in &self.tree.rays[course.place].items {
+            let Item::Ray(child) = item else {
+                continue;
+            };
+            let node = &self.tree.rays[*child];
+            let (Some(start), Some(end)) = (node.start, node.end) else {
+                continue;
+            };
+            let (weight, word) = match start.purpose {
+                Purpose::Reflected => (shade.reflection, "reflection·I_reflected"),
+                Purpose::Refracted => (shade.transmission, "transmission·I_refracted"),
+                Purpose::Eye | Purpose::Shadow => continue,
+            };
+            words.push(word);
+            terms.push(format!("{}·{}", d.number(weight), d.vector(end.colour?)));
+        }
+        Some(format!("{} = {} = ", words.join(" + "), terms.join(" + ")))
+    }
+}

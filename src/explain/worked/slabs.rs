@@ -1,0 +1,107 @@
+//! The box: three slabs, their intervals and what they have in common.
+
+use crate::explain::number::Digits;
+use crate::explain::page::Tone;
+use crate::explain::worked::Solution;
+use crate::explain::worked::quadratic::fates;
+use crate::explain::worked::steps::Course;
+use crate::geometry::{Axis, BoxTest, Roots, SlabInterval};
+use crate::scene::{PrimitiveId, Shape};
+
+impl Solution<'_> {
+    /// near = max of the near values, far = min of the far ones.
+    pub(super) fn slabs(&mut self, object: PrimitiveId, test: &BoxTest, course: &Course) {
+        let Shape::Box(solid) = &self.scene.primitive(object).shape else {
+            return;
+        };
+        let solid = *solid;
+        let d = Digits::USUAL;
+        let what = format!(
+            "box from {} to {}",
+            d.vector(solid.min),
+            d.vector(solid.max)
+        );
+        self.object_line(object, &what);
+        self.page.indent();
+        let axes = [("x", Axis::X), ("y", Axis::Y), ("z", Axis::Z)];
+        for ((name, axis), interval) in axes.into_iter().zip(test.slabs) {
+            let (low, high) = (axis.of(solid.min), axis.of(solid.max));
+            let slab = format!("{} ≤ {name} ≤ {}", d.number(low), d.number(high));
+            let line = match (interval, course.start) {
+                (SlabInterval::ParallelInside, _) => {
+                    format!("{slab}: the ray is parallel and inside, every t")
+                }
+                (SlabInterval::ParallelOutside, _) => {
+                    format!("{slab}: the ray is parallel and outside, no t")
+                }
+                (SlabInterval::Between { near, far }, Some(start)) => {
+                    let (s, delta) = (axis.of(start.ray.origin), axis.of(start.ray.direction));
+                    let t_scale = -1.0 / delta;
+                    // D is minus the plane's place; the near plane is the high one if the ray runs down
+                    let (first, second) = if delta < 0.0 {
+                        (high, low)
+                    } else {
+                        (low, high)
+                    };
+                    let product = |plane: f64, t: f64| {
+                        let d = Digits::for_difference(plane.abs().max(s.abs()), s - plane);
+                        let (s, plane) = (d.number(s), d.term(-plane));
+                        format!("({s} {plane})·{} = {}", d.factor(t_scale), d.number(t))
+                    };
+                    format!(
+                        "{slab}: T = -1/{} = {}, near (S + D)·T = {}, far {}",
+                        d.factor(delta),
+                        d.number(t_scale),
+                        product(first, near),
+                        product(second, far)
+                    )
+                }
+                (SlabInterval::Between { near, far }, None) => {
+                    format!("{slab}: near {}, far {}", d.number(near), d.number(far))
+                }
+            };
+            self.page.plain(line);
+        }
+        match test.roots {
+            Roots::None => self.page.line(Tone::Refused, no_common_t(test)),
+            Roots::Graze(_) | Roots::Two { .. } | Roots::Linear(_) => {
+                let ends: Vec<_> = test.roots.iter().map(|root| d.number(root.t)).collect();
+                self.page.plain(format!(
+                    "the largest near is {}, the smallest far {}: inside all three in between",
+                    ends.first().map_or("", String::as_str),
+                    ends.last().map_or("", String::as_str)
+                ));
+                let tone = if test.roots.chosen().is_some() {
+                    Tone::Found
+                } else {
+                    Tone::Refused
+                };
+                self.page.line(tone, fates(&test.roots, course));
+            }
+        }
+        self.page.outdent();
+    }
+}
+
+fn no_common_t(test: &BoxTest) -> String {
+    let d = Digits::USUAL;
+    let mut near = f64::NEG_INFINITY;
+    let mut far = f64::INFINITY;
+    for slab in test.slabs {
+        match slab {
+            SlabInterval::Between { near: n, far: f } => {
+                near = near.max(n);
+                far = far.min(f);
+            }
+            SlabInterval::ParallelInside => {}
+            SlabInterval::ParallelOutside => {
+                return "outside of one slab for every t: missed".into();
+            }
+        }
+    }
+    format!(
+        "the largest near, {}, is above the smallest far, {}: no t in common, missed",
+        d.number(near),
+        d.number(far)
+    )
+}

@@ -1,0 +1,155 @@
+//! The events of one ray, put together into the steps that a solution tells one by one.
+
+use crate::geometry::{BoxTest, EdgeTest, PlaneTest, PolygonTest, QuadraticTest, Refraction};
+use crate::scene::PrimitiveId;
+use crate::trace::{Event, Item, LightTerm, Nearest, RayEnd, RayStart, Record, Shade};
+
+/// What is known of a ray while its steps are told.
+pub(super) struct Course {
+    /// Its place in the tree of rays.
+    pub(super) place: usize,
+    /// Its start; a ray of a filtered log may have none.
+    pub(super) start: Option<RayStart>,
+    /// t of the nearest hit so far.
+    pub(super) nearest: Option<f64>,
+    /// Which object that is.
+    pub(super) nearest_object: Option<PrimitiveId>,
+    /// The shade of the point it met.
+    pub(super) shade: Option<Shade>,
+    /// Its end.
+    pub(super) end: Option<RayEnd>,
+    /// The point it met was introduced.
+    pub(super) arrived: bool,
+}
+
+/// One step of a ray's working.
+#[derive(Clone, Debug)]
+pub(super) enum Step {
+    /// An object was tested; its hit became the nearest or did not.
+    Test {
+        object: PrimitiveId,
+        test: Test,
+        nearest: Option<Nearest>,
+    },
+    /// A ray was sent on.
+    Ray(usize),
+    Light(LightTerm),
+    Refraction(Refraction),
+    Shade(Shade),
+}
+
+/// The working of one object's test.
+#[derive(Clone, Debug)]
+pub(super) enum Test {
+    Sphere(QuadraticTest),
+    Ellipsoid(QuadraticTest),
+    Cone(QuadraticTest),
+    Box(BoxTest),
+    /// A plane, and if it was met where it counts, its edges and the verdict. In a filtered log any of
+    /// the three may be missing.
+    Polygon {
+        plane: Option<PlaneTest>,
+        edges: Vec<EdgeTest>,
+        inside: Option<PolygonTest>,
+    },
+}
+
+impl Test {
+    /// t of the hit.
+    pub(super) fn hit(&self) -> Option<f64> {
+        match self {
+            Self::Sphere(test) | Self::Ellipsoid(test) | Self::Cone(test) => test.roots.chosen(),
+            Self::Box(test) => test.roots.chosen(),
+            Self::Polygon { plane, inside, .. } => {
+                let inside = inside.as_ref().is_some_and(|test| test.inside);
+                plane
+                    .as_ref()
+                    .and_then(PlaneTest::chosen)
+                    .filter(|_| inside)
+            }
+        }
+    }
+}
+
+/// The steps of a ray's items.
+pub(super) fn steps(items: &[Item], records: &[Record]) -> Vec<Step> {
+    let mut steps: Vec<Step> = Vec::new();
+    for item in items {
+        match *item {
+            Item::Ray(place) => steps.push(Step::Ray(place)),
+            Item::Event(at) => add(&records[at].event, &mut steps),
+        }
+    }
+    steps
+}
+
+fn add(event: &Event, steps: &mut Vec<Step>) {
+    let quadratic = |object: PrimitiveId, test| Step::Test {
+        object,
+        test,
+        nearest: None,
+    };
+    let step = match *event {
+        Event::SphereTest { object, test } => quadratic(object, Test::Sphere(test)),
+        Event::EllipsoidTest { object, test } => quadratic(object, Test::Ellipsoid(test)),
+        Event::ConeTest { object, test } => quadratic(object, Test::Cone(test)),
+        Event::BoxTest { object, test } => quadratic(object, Test::Box(test)),
+        Event::PlaneTest { object, test } => Step::Test {
+            object,
+            test: Test::Polygon {
+                plane: Some(test),
+                edges: Vec::new(),
+                inside: None,
+            },
+            nearest: None,
+        },
+        Event::Edge { object, edge } => {
+            return polygon_of(object, steps, |edges, _| edges.push(edge));
+        }
+        Event::PolygonTest { object, test } => {
+            return polygon_of(object, steps, |_, inside| *inside = Some(test));
+        }
+        Event::Nearest(hit) => {
+            if let Some(Step::Test { nearest, .. }) = steps.last_mut() {
+                *nearest = Some(hit);
+            }
+            return;
+        }
+        Event::LightTerm(light) => Step::Light(light),
+        Event::Refraction(refraction) => Step::Refraction(refraction),
+        Event::Shade(shade) => Step::Shade(shade),
+        // the pixel's own, and the ray's start and end
+        Event::Pixel(_) | Event::PixelColour(_) | Event::Ray(_) | Event::RayEnd(_) => return,
+    };
+    steps.push(step);
+}
+
+/// Fills in what follows a polygon's plane; in a filtered log the plane may be missing.
+fn polygon_of(
+    of: PrimitiveId,
+    steps: &mut Vec<Step>,
+    fill: impl FnOnce(&mut Vec<EdgeTest>, &mut Option<PolygonTest>),
+) {
+    let open = matches!(
+        steps.last(),
+        Some(Step::Test { object, test: Test::Polygon { inside: None, .. }, .. }) if *object == of
+    );
+    if !open {
+        steps.push(Step::Test {
+            object: of,
+            test: Test::Polygon {
+                plane: None,
+                edges: Vec::new(),
+                inside: None,
+            },
+            nearest: None,
+        });
+    }
+    if let Some(Step::Test {
+        test: Test::Polygon { edges, inside, .. },
+        ..
+    }) = steps.last_mut()
+    {
+        fill(edges, inside);
+    }
+}

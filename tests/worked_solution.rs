@@ -1,0 +1,198 @@
+//! The worked solution reads as one does it by hand: its lines against a pixel worked out on paper.
+
+use std::path::Path;
+
+use raystep::{
+    Exhaustive, Kind, Kinds, Record, Recording, Scene, Settings, Through, Tracer, Transport,
+    WorkedOptions, load_bytes, trace_pixel, worked_solution,
+};
+
+/// One pixel, whose eye ray runs along z from the origin: every number below is one of a few halves.
+///
+/// The mirror M is met at (0, 0, 4) with N = (0, 0, −1); the lamp stands in the eye, so L = V = N. The ball
+/// behind the eye is what the mirror shows; the wall is parallel to the ray.
+const SCENE: &str = r#"{
+  "name": "on paper",
+  "camera": { "window": { "cop": [0, 0, 0], "corner": [-1, -1, 1], "right": [2, 0, 0], "up": [0, 2, 0] },
+              "pixels": [1, 1] },
+  "background": [0, 0, 1],
+  "ambient": [0.5, 0.5, 0.5],
+  "lights": [ { "name": "lamp", "position": [0, 0, 0], "colour": [1, 1, 1] } ],
+  "materials": {
+    "mirror": { "colour": [0.5, 0.5, 0], "diffuse": 0.5, "specular": 0.25, "shininess": 3, "reflection": 0.5 },
+    "dull": { "colour": [1, 0, 0] }
+  },
+  "objects": [
+    { "name": "M", "material": "mirror", "shape": { "sphere": { "center": [0, 0, 5], "radius": 1 } } },
+    { "name": "ball", "material": "dull", "shape": { "sphere": { "center": [0, 0, -4], "radius": 2 } } },
+    { "name": "wall", "material": "dull", "shape": { "polygon": { "vertices": [[3, -9, -9], [3, 9, -9], [3, 9, 9], [3, -9, 9]] } } },
+    { "name": "far", "material": "dull", "shape": { "sphere": { "center": [0, 3, 5], "radius": 1 } } }
+  ],
+  "max_depth": 2
+}"#;
+
+fn scene() -> Scene {
+    let loaded = load_bytes("paper.json", SCENE.as_bytes(), Path::new("")).unwrap();
+    loaded.build().unwrap()
+}
+
+fn records(scene: &Scene) -> Vec<Record> {
+    let strategy = Exhaustive::new(scene);
+    let tracer = Tracer {
+        scene,
+        strategy: &strategy,
+        transport: Transport::HybridLight,
+    };
+    let mut recording = Recording::new(Vec::new());
+    trace_pixel(&tracer, [0, 0], Through::Centres, &mut recording);
+    recording.into_sink()
+}
+
+fn solution(options: &WorkedOptions) -> String {
+    let scene = scene();
+    worked_solution(&scene, &Settings::default(), &records(&scene), options)
+}
+
+/// Each of the lines stands in the solution, in this order.
+#[track_caller]
+fn check(text: &str, lines: &[&str]) {
+    let mut rest = text.lines();
+    for line in lines {
+        let found = rest.any(|candidate| candidate.trim_start() == *line);
+        assert!(found, "not there, or not in its place: {line}\n{text}");
+    }
+}
+
+#[test]
+fn the_eye_ray_is_worked_out_as_on_paper() {
+    check(
+        &solution(&WorkedOptions::default()),
+        &[
+            "Pixel (0, 0) of \"on paper\"",
+            "P = corner + 0.5/1·right + (1 - 0.5/1)·up",
+            "= (-1, -1, 1) + 0.5·(2, 0, 0) + 0.5·(0, 2, 0)",
+            "= (0, 0, 1)",
+            "Ray 0: from the eye, depth 1",
+            "P - COP = (0, 0, 1), of length 1",
+            "(x, y, z) = (0, 0, 0) + t·(0, 0, 1) … (i), for t > 0",
+            "M: sphere, center (0, 0, 5), radius 1",
+            "o - center = (0, 0, -5)",
+            "a = Δ·Δ = 0² + 0² + 1² = 1",
+            "b = 2·Δ·(o - center) = 2·[0·0 + 0·0 + 1·(-5)] = -10",
+            "c = |o - center|² - r² = 0² + 0² + (-5)² - 1² = 24",
+            "b² - 4ac = 100 - 96 = 4 > 0: two real roots",
+            "t = (-b ± √4)/2a = (10 ± 2)/2 = 4 and 6",
+            "t = 4 is the smallest that counts: a hit; t = 6 lies beyond it",
+            "→ the nearest hit so far",
+            "ball: sphere, center (0, 0, -4), radius 2",
+            "1·t² + 8·t + 12 = 0: b² - 4ac = 64 - 48 = 16; t = -6 lies behind the origin; t = -2 lies \
+             behind the origin",
+            "1·x + 0·y + 0·z - 3 = 0 … (iv)",
+            "the denominator of (v) is 0: the ray is parallel to the plane, no intersection",
+            "far: sphere, center (0, 3, 5), radius 1",
+            "1·t² - 10·t + 33 = 0: b² - 4ac = 100 - 132 = -32 < 0, no real root: missed",
+            "→ The ray meets M at t = 4",
+            "p = o + t·Δ = (0, 0, 4)",
+            "N = (p - center)/r = [(0, 0, 4) - (0, 0, 5)]/1 = (0, 0, -1)",
+            "ε of the rays sent on from here = 1e-9·max(|x|, |y|, |z|, t) = 1e-9·4 = 4e-9",
+        ],
+    );
+}
+
+#[test]
+fn the_shade_is_worked_out_as_on_paper() {
+    check(
+        &solution(&WorkedOptions::default()),
+        &[
+            "Ray 1: to the light lamp, sent on from ray 0, depth 2",
+            "→ nothing in between: the light is visible",
+            "Light lamp: visible",
+            "L = (light - p)/|light - p| = [(0, 0, 0) - (0, 0, 4)]/4 = (0, 0, -1)",
+            "N·L = 0·0 + 0·0 + (-1)·(-1) = 1",
+            "diffuse: light·colour·diffuse·(N·L) = (1, 1, 1)·(0.5, 0.5, 0)·0.5·1 = (0.25, 0.25, 0)",
+            "R = 2(N·L)N - L = (0, 0, -1), V = -Δ = (0, 0, -1)",
+            "R·V = 0·0 + 0·0 + (-1)·(-1) = 1",
+            "specular: light·specular·(R·V)^shininess = (1, 1, 1)·0.25·1^3 = (0.25, 0.25, 0.25)",
+            "Ambient: (0.5, 0.5, 0.5)·(0.5, 0.5, 0) = (0.25, 0.25, 0)",
+            "Sum over the visible lights: (0.5, 0.5, 0.25)",
+            "Ray 2: reflected, sent on from ray 0, depth 2",
+            "Δ = Δ' - 2(Δ'·N)N = (0, 0, 1) - 2·(-1)·(0, 0, -1) = (0, 0, -1), with Δ' the direction of the \
+             ray that was sent on",
+            "→ The ray meets ball at t = 6",
+            // the ball is dull, and the lamp reaches it: ½·(1, 0, 0) of ambient light is all
+            "I = ambient + lights = (0.5, 0, 0) + (0, 0, 0) = (0.5, 0, 0)",
+            "I = ambient + lights + reflection·I_reflected = (0.25, 0.25, 0) + (0.5, 0.5, 0.25) + \
+             0.5·(0.5, 0, 0) = (1, 0.75, 0.25)",
+            "The pixel's colour",
+            "what the eye ray brings back: (1, 0.75, 0.25)",
+            "in the picture, times 255: (255, 191, 64)",
+        ],
+    );
+}
+
+#[test]
+fn a_ray_stands_indented_below_the_one_it_was_sent_on_from() {
+    let text = solution(&WorkedOptions::default());
+    let indent = |start: &str| {
+        let line = text.lines().find(|l| l.trim_start().starts_with(start));
+        let line = line.unwrap();
+        line.len() - line.trim_start().len()
+    };
+    assert_eq!(indent("Ray 0:"), 0);
+    assert_eq!(indent("Ray 1:"), 2);
+    assert_eq!(indent("Ray 2:"), 2);
+    assert_eq!(indent("Ray 3:"), 4);
+}
+
+#[test]
+fn only_some_kinds_are_shown_where_that_is_asked_for() {
+    let text = solution(&WorkedOptions {
+        kinds: Kinds::of(&[Kind::PlaneTest]),
+        ..WorkedOptions::default()
+    });
+    assert!(text.contains("… (iv)"));
+    for other in ["sphere", "Light", "P = corner", "pixel's colour", "nearest"] {
+        assert!(!text.contains(other), "{other} in\n{text}");
+    }
+}
+
+#[test]
+fn one_ray_alone_names_the_rays_sent_on_from_it() {
+    let text = solution(&WorkedOptions {
+        ray: Some(0),
+        ..WorkedOptions::default()
+    });
+    assert!(text.contains("Ray 0:"));
+    check(
+        &text,
+        &["Ray 2: reflected, sent on from ray 0, depth 2: meets ball at t = 6 (--ray 2)"],
+    );
+}
+
+#[test]
+fn a_solution_of_a_filtered_trace_says_what_is_there() {
+    let scene = scene();
+    let kept: Vec<_> = records(&scene)
+        .into_iter()
+        .filter(|record| record.event.kind() == Kind::SphereTest)
+        .collect();
+    let settings = Settings {
+        only: Some(vec!["sphere_test".into()]),
+        ..Settings::default()
+    };
+    let text = worked_solution(&scene, &settings, &kept, &WorkedOptions::default());
+    assert!(text.contains("the log holds only: sphere_test"), "{text}");
+    assert!(text.contains("b² - 4ac = 100 - 96 = 4"), "{text}");
+}
+
+#[test]
+fn colour_changes_no_word() {
+    let plain = solution(&WorkedOptions::default());
+    let coloured = solution(&WorkedOptions {
+        colour: true,
+        ..WorkedOptions::default()
+    });
+    assert!(!plain.contains('\u{1b}'));
+    assert!(coloured.contains('\u{1b}'));
+    assert_eq!(anstream::adapter::strip_str(&coloured).to_string(), plain);
+}
