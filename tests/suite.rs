@@ -1,6 +1,8 @@
 //! The integration tests: one binary, a module per subject.
 
+mod bad_input;
 mod calculator;
+mod cli;
 mod exact;
 mod layers;
 mod polygon_exact;

@@ -1,0 +1,270 @@
+//! What can be said on the command line.
+
+use std::ffi::OsString;
+use std::path::PathBuf;
+
+use clap::{Args as ClapArgs, Parser, Subcommand, ValueEnum};
+use clap_complete::Shell;
+use raystep::{Kind, Region, StrategyName, Through, Transport, nearest_name};
+
+use crate::cli::Error;
+
+/// A ray tracer that shows its working.
+#[derive(Debug, Parser)]
+#[command(name = "raystep", version, arg_required_else_help = true)]
+#[command(after_help = "Start with:\n  raystep pixel lessons/04-sphere/scene.json 80,60")]
+pub(crate) struct Args {
+    /// What is to be done.
+    #[command(subcommand)]
+    pub(crate) verb: Verb,
+}
+
+/// What can be done.
+#[derive(Debug, Subcommand)]
+pub(crate) enum Verb {
+    /// Print the worked solution of one pixel.
+    Pixel(PixelArgs),
+    /// Write every step as a log in JSON Lines.
+    Trace(TraceArgs),
+    /// Write the picture as PNG.
+    Render(RenderArgs),
+    /// Rewrite a scene in NFF, OBJ or JSON, or the scene of a log, as JSON.
+    Convert(ConvertArgs),
+    /// Print the JSON Schema of scenes or logs.
+    Schema(SchemaArgs),
+    /// Print completions for a shell.
+    Completions(CompletionsArgs),
+}
+
+/// How a scene is traced. A saved log has been traced, so none of these go with one, except the
+/// statistics.
+#[derive(Debug, ClapArgs)]
+#[command(next_help_heading = "Tracing")]
+pub(crate) struct Tracing {
+    /// Which objects each ray is tested against [default: exhaustive]
+    #[arg(long, value_enum, value_name = "NAME")]
+    pub(crate) strategy: Option<StrategyName>,
+    /// Which rays are cast [default: hybrid-light]
+    #[arg(long, value_enum, value_name = "NAME")]
+    pub(crate) transport: Option<Transport>,
+    /// Size of the picture, in place of the scene's
+    #[arg(long, value_name = "W,H", value_parser = pixels)]
+    pub(crate) pixels: Option<[u32; 2]>,
+    /// Largest depth of a ray, in place of the scene's; eye rays have depth 1
+    #[arg(long, value_name = "N")]
+    pub(crate) max_depth: Option<u32>,
+    /// Opaque objects show only their front
+    #[arg(long)]
+    pub(crate) one_sided: bool,
+    /// Where the eye rays pass a pixel [default: centres]
+    #[arg(long, value_enum, value_name = "WHERE")]
+    pub(crate) through: Option<Through>,
+    /// Count rays and tests: as text on standard error, or as JSON on standard output
+    #[arg(long, value_enum, value_name = "FORMAT", num_args = 0..=1, require_equals = true)]
+    #[arg(default_missing_value = "text")]
+    pub(crate) stats: Option<Format>,
+}
+
+/// Text or JSON.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Format {
+    /// For reading.
+    Text,
+    /// For programs.
+    Json,
+}
+
+/// The worked solution of one pixel.
+#[derive(Debug, ClapArgs)]
+#[command(after_help = "Examples:
+  raystep pixel scene.json 80,60
+  raystep pixel scene.json 80,60 --only sphere_test,plane_test
+  raystep trace scene.json --region 80,60 | raystep pixel - 80,60")]
+pub(crate) struct PixelArgs {
+    /// Scene (.json, .nff, .obj) or log; - is standard input
+    pub(crate) scene: PathBuf,
+    /// Column and row, counted from 0,0 at the top left
+    #[arg(value_name = "X,Y", value_parser = pixel)]
+    pub(crate) pixel: [u64; 2],
+    /// Kinds of event to show
+    #[arg(long, value_name = "KINDS", value_delimiter = ',', value_parser = kind)]
+    pub(crate) only: Vec<Kind>,
+    /// One ray alone, by its number
+    #[arg(long, value_name = "N")]
+    pub(crate) ray: Option<u32>,
+    /// Every test, also where many in a row miss
+    #[arg(long)]
+    pub(crate) all: bool,
+    /// How many events the pixel may have
+    #[arg(long, value_name = "N", default_value_t = 10_000_000)]
+    pub(crate) budget: u64,
+    /// Text, or JSON with the tree of rays
+    #[arg(long, value_enum, default_value = "text", hide_possible_values = true)]
+    #[arg(value_name = "text|json")]
+    pub(crate) format: Format,
+    /// How it is traced.
+    #[command(flatten)]
+    pub(crate) tracing: Tracing,
+}
+
+/// The log of a picture.
+#[derive(Debug, ClapArgs)]
+#[command(after_help = "Examples:
+  raystep trace scene.json --region 70,50-90,70 -o part.jsonl
+  raystep trace part.jsonl --only sphere_test | jq .discriminant")]
+pub(crate) struct TraceArgs {
+    /// Scene (.json, .nff, .obj), or a log to filter again; - is standard input
+    pub(crate) scene: PathBuf,
+    /// The log; - is standard output
+    #[arg(short, long, value_name = "F.jsonl", default_value = "-")]
+    pub(crate) output: PathBuf,
+    /// Pixels to keep: X,Y or a rectangle with both its corners
+    #[arg(long, value_name = "X0,Y0-X1,Y1")]
+    pub(crate) region: Option<Region>,
+    /// Kinds of event to keep
+    #[arg(long, value_name = "KINDS", value_delimiter = ',', value_parser = kind)]
+    pub(crate) only: Vec<Kind>,
+    /// How many events may be written
+    #[arg(long, value_name = "N", default_value_t = 10_000_000)]
+    pub(crate) budget: u64,
+    /// How many threads trace [default: all cores]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
+    pub(crate) threads: Option<u16>,
+    /// How it is traced.
+    #[command(flatten)]
+    pub(crate) tracing: Tracing,
+}
+
+/// The picture.
+#[derive(Debug, ClapArgs)]
+#[command(after_help = "Example:\n  raystep render scene.json -o picture.png --stats")]
+pub(crate) struct RenderArgs {
+    /// Scene (.json, .nff, .obj); - is standard input
+    pub(crate) scene: PathBuf,
+    /// The picture; - is standard output
+    #[arg(short, long, value_name = "F.png")]
+    pub(crate) output: PathBuf,
+    /// How many threads trace [default: all cores]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
+    pub(crate) threads: Option<u16>,
+    /// How it is traced.
+    #[command(flatten)]
+    pub(crate) tracing: Tracing,
+}
+
+/// A scene in JSON.
+#[derive(Debug, ClapArgs)]
+#[command(after_help = "Example:\n  raystep convert teapot.nff teapot.json")]
+pub(crate) struct ConvertArgs {
+    /// Scene (.json, .nff, .obj) or log; - is standard input
+    #[arg(value_name = "IN")]
+    pub(crate) scene: PathBuf,
+    /// The scene in JSON; - is standard output
+    #[arg(value_name = "OUT.json")]
+    pub(crate) output: PathBuf,
+}
+
+/// A JSON Schema.
+#[derive(Debug, ClapArgs)]
+#[command(after_help = "Example:\n  raystep schema scene > scene.schema.json")]
+pub(crate) struct SchemaArgs {
+    /// Of what
+    #[arg(value_enum)]
+    pub(crate) of: SchemaOf,
+}
+
+/// What has a schema.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum SchemaOf {
+    /// A scene file
+    Scene,
+    /// One line of a log
+    Trace,
+}
+
+/// Completions.
+#[derive(Debug, ClapArgs)]
+#[command(after_help = "Example:
+  raystep completions bash > ~/.local/share/bash-completion/completions/raystep")]
+pub(crate) struct CompletionsArgs {
+    /// Which shell
+    #[arg(value_enum)]
+    pub(crate) shell: Shell,
+}
+
+/// No number of this command is negative, and `-1,2` would look like an option: it is refused before
+/// the options are read.
+pub(crate) fn refuse_negative(arguments: &[OsString]) -> Result<(), Error> {
+    let mut words = arguments.iter().skip(1).map(|word| word.to_string_lossy());
+    let negative = words.by_ref().take_while(|word| word != "--").find(|word| {
+        // also as --ray=-1
+        let value = match word.split_once('=') {
+            Some((option, value)) if option.starts_with("--") => value,
+            _ => word,
+        };
+        let digits = value.strip_prefix('-').unwrap_or_default();
+        digits.starts_with(|c: char| c.is_ascii_digit() || c == '.')
+    });
+    match negative {
+        Some(argument) => Err(Error::Negative {
+            argument: argument.into_owned(),
+        }),
+        None => Ok(()),
+    }
+}
+
+/// `X,Y`; whether the picture has such a pixel is asked later.
+fn pixel(text: &str) -> Result<[u64; 2], String> {
+    pair(text).ok_or_else(|| "give column and row, as in 80,60".into())
+}
+
+/// `W,H`.
+fn pixels(text: &str) -> Result<[u32; 2], String> {
+    pair(text).ok_or_else(|| "give width and height, as in 160,120".into())
+}
+
+fn pair<T: std::str::FromStr>(text: &str) -> Option<[T; 2]> {
+    let (first, second) = text.split_once(',')?;
+    Some([first.trim().parse().ok()?, second.trim().parse().ok()?])
+}
+
+/// A kind of event, by its name in the log.
+fn kind(name: &str) -> Result<Kind, String> {
+    Kind::named(name).ok_or_else(|| {
+        let names = Kind::ALL.map(Kind::name);
+        match nearest_name(name, names.into_iter()) {
+            Some(near) => format!("there is no such kind; did you mean {near}?"),
+            None => format!("there is no such kind; the kinds are {}", names.join(", ")),
+        }
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use clap::CommandFactory;
+
+    #[test]
+    fn clap_finds_no_contradiction_in_the_arguments() {
+        Args::command().debug_assert();
+    }
+
+    #[test]
+    fn negative_numbers_are_told_from_options_and_files() {
+        let refused = |words: &[&str]| {
+            let words: Vec<OsString> = words.iter().map(OsString::from).collect();
+            refuse_negative(&words).is_err()
+        };
+        for words in [
+            ["raystep", "-1,2"],
+            ["raystep", "--ray=-1"],
+            ["raystep", "-.5"],
+        ] {
+            assert!(refused(&words), "{words:?}");
+        }
+        for words in [["raystep", "-"], ["raystep", "--ray=1"], ["raystep", "-o"]] {
+            assert!(!refused(&words), "{words:?}");
+        }
+        assert!(!refused(&["raystep", "--", "-1.json"]));
+    }
+}

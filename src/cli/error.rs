@@ -1,0 +1,228 @@
+//! What can go wrong with a command: what, where, what to do next.
+
+use std::fmt;
+use std::io;
+
+use raystep::{Fault, LoadError, LogError, Region};
+
+/// Why a command did not do what it was asked to.
+#[derive(Debug)]
+pub(crate) enum Error {
+    /// The arguments make no sense, or ask for help. It prints itself.
+    Usage(clap::Error),
+    /// A negative number among the arguments.
+    Negative {
+        /// The argument.
+        argument: String,
+    },
+    /// The scene could not be loaded.
+    Load(LoadError),
+    /// The log could not be read.
+    Log(LogError),
+    /// An option has a value that makes no sense in a scene.
+    Option {
+        /// The option.
+        option: &'static str,
+        /// What is wrong with its value.
+        fault: Fault,
+    },
+    /// There is no such pixel.
+    PixelOutside {
+        /// The pixel.
+        pixel: [u64; 2],
+        /// The size of the picture.
+        pixels: [u32; 2],
+    },
+    /// The region reaches out of the picture.
+    RegionOutside {
+        /// The region.
+        region: Region,
+        /// The size of the picture.
+        pixels: [u32; 2],
+    },
+    /// New rays are needed, and there is only a log.
+    NeedsScene {
+        /// The log.
+        file: String,
+        /// What would trace anew.
+        what: String,
+    },
+    /// The log does not hold what is asked for.
+    NotInLog {
+        /// The log.
+        file: String,
+        /// What is not there, and what is.
+        what: String,
+        /// What to do about it.
+        fix: &'static str,
+    },
+    /// There is no ray of this number in the pixel.
+    NoSuchRay {
+        /// The number.
+        ray: u32,
+        /// The largest number; `None` if there is no ray at all.
+        last: Option<u32>,
+    },
+    /// There are more events than the budget allows.
+    Budget {
+        /// The budget.
+        budget: u64,
+    },
+    /// Two things would go to standard output.
+    StandardOutputTwice {
+        /// What to do about it.
+        fix: &'static str,
+    },
+    /// Nothing can be written there.
+    Target {
+        /// The target, as it was given.
+        file: String,
+        /// What is wrong with it.
+        what: String,
+        /// What to do about it.
+        fix: String,
+    },
+    /// Writing failed.
+    Write {
+        /// The target, as it was given.
+        file: String,
+        /// What the system said.
+        source: io::Error,
+    },
+    /// The thread that traces could not be started.
+    Thread {
+        /// What the system said.
+        source: io::Error,
+    },
+    /// The threads could not be started.
+    Threads {
+        /// What the system said.
+        source: rayon::ThreadPoolBuildError,
+    },
+}
+
+impl Error {
+    /// Did a reader close the pipe that was written to?
+    pub(crate) fn is_closed_pipe(&self) -> bool {
+        matches!(self, Self::Write { source, .. } if source.kind() == io::ErrorKind::BrokenPipe)
+    }
+
+    /// What the command returns to the shell: 2 for usage and bad input, 0 for help.
+    pub(crate) fn exit_code(&self) -> u8 {
+        match self {
+            Self::Usage(usage) => usage.exit_code() as u8,
+            _ => 2,
+        }
+    }
+}
+
+impl fmt::Display for Error {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Usage(usage) => usage.fmt(f),
+            Self::Negative { argument } => write!(
+                f,
+                "{argument}: no number of this command is negative; pixels count from 0,0 at the \
+                 top left\n  if it is a file, write ./{argument}"
+            ),
+            Self::Load(error) => error.fmt(f),
+            Self::Log(error) => error.fmt(f),
+            Self::Option { option, fault } => write!(f, "{option}: {fault}\n  {}", fault.fix()),
+            Self::PixelOutside {
+                pixel: [x, y],
+                pixels,
+            } => {
+                write!(f, "the picture has no pixel {x},{y}\n  {}", Inside(*pixels))
+            }
+            Self::RegionOutside { region, pixels } => {
+                write!(
+                    f,
+                    "the picture does not contain the region {region}\n  {}",
+                    Inside(*pixels)
+                )
+            }
+            Self::NeedsScene { file, what } => write!(
+                f,
+                "{file}: this is a log, and {what} new rays, for which the scene itself is needed\n  \
+                 give the scene; 'raystep convert' takes it out of the log"
+            ),
+            Self::NotInLog { file, what, fix } => write!(f, "{file}: {what}\n  {fix}"),
+            Self::NoSuchRay {
+                ray,
+                last: Some(last),
+            } => write!(
+                f,
+                "the pixel has no ray {ray}\n  choose one from 0 to {last}"
+            ),
+            Self::NoSuchRay { ray, last: None } => write!(
+                f,
+                "the pixel has no ray {ray}: its log holds no rays at all\n  leave --ray away"
+            ),
+            Self::Budget { budget } => write!(
+                f,
+                "there are more events than the budget of {budget}\n  \
+                 narrow the trace with --region or --only, lower --max-depth, or raise --budget"
+            ),
+            Self::StandardOutputTwice { fix } => write!(
+                f,
+                "--stats=json writes to standard output, and so does the command itself\n  {fix}"
+            ),
+            Self::Target { file, what, fix } => write!(f, "{file}: {what}\n  {fix}"),
+            Self::Write { file, source } => {
+                let fix = match source.kind() {
+                    io::ErrorKind::StorageFull | io::ErrorKind::QuotaExceeded => {
+                        "make room there, or choose another place"
+                    }
+                    io::ErrorKind::FileTooLarge => {
+                        "raise the limit ('ulimit -f' shows it), or narrow what is written"
+                    }
+                    _ => "check the place, or choose another one",
+                };
+                write!(f, "{file}: cannot be written: {source}\n  {fix}")
+            }
+            Self::Thread { source } => write!(
+                f,
+                "the tracing cannot be started: {source}\n  make memory free and try again"
+            ),
+            Self::Threads { source } => {
+                write!(
+                    f,
+                    "the threads cannot be started: {source}\n  give a smaller --threads"
+                )
+            }
+        }
+    }
+}
+
+impl std::error::Error for Error {}
+
+/// The numbers that columns and rows have.
+struct Inside([u32; 2]);
+
+impl fmt::Display for Inside {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let [right, bottom] = self.0.map(|side| side.saturating_sub(1));
+        write!(
+            f,
+            "columns go from 0 to {right} and rows from 0 to {bottom}"
+        )
+    }
+}
+
+impl From<clap::Error> for Error {
+    fn from(error: clap::Error) -> Self {
+        Self::Usage(error)
+    }
+}
+
+impl From<LoadError> for Error {
+    fn from(error: LoadError) -> Self {
+        Self::Load(error)
+    }
+}
+
+impl From<LogError> for Error {
+    fn from(error: LogError) -> Self {
+        Self::Log(error)
+    }
+}

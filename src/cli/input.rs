@@ -1,0 +1,158 @@
+//! Opening what is to be traced or read: a scene, or a log, told by its first line.
+
+use std::fs::File;
+use std::io::{self, BufRead, BufReader, Cursor, Read, Write};
+use std::path::Path;
+use std::time::{Duration, Instant};
+
+use raystep::{Fault, LoadError, Loaded, LogReader, Scene, Settings, begins_log, load_bytes};
+
+use crate::cli::Error;
+use crate::cli::args::Tracing;
+
+/// A log that is read while it comes in.
+pub(crate) type Log = LogReader<Box<dyn BufRead>>;
+
+/// What a file holds.
+pub(crate) enum Input {
+    /// A scene that is not checked yet.
+    Scene(Box<Loaded>),
+    /// A log.
+    Log(Box<Log>),
+}
+
+/// A scene that can be traced.
+pub(crate) struct Ready {
+    /// The scene.
+    pub(crate) scene: Scene,
+    /// How it is to be traced.
+    pub(crate) settings: Settings,
+    /// How long it took to read and check it.
+    pub(crate) loading: Duration,
+}
+
+/// The name of an input in messages.
+pub(crate) fn name_of(path: &Path) -> String {
+    if path == Path::new("-") {
+        "standard input".into()
+    } else {
+        path.display().to_string()
+    }
+}
+
+/// Opens a scene or a log. Notes about a scene go to standard error.
+pub(crate) fn open(path: &Path) -> Result<Input, Error> {
+    let file = name_of(path);
+    let unreadable = |source| {
+        Error::Load(LoadError::Read {
+            file: file.clone(),
+            source,
+        })
+    };
+    let is_standard = path == Path::new("-");
+    let mut input: Box<dyn BufRead> = if is_standard {
+        Box::new(BufReader::new(io::stdin()))
+    } else {
+        Box::new(BufReader::new(File::open(path).map_err(unreadable)?))
+    };
+
+    let mut start = Vec::new();
+    input.read_until(b'\n', &mut start).map_err(unreadable)?;
+    if begins_log(&start) {
+        let whole: Box<dyn BufRead> = Box::new(Cursor::new(start).chain(input));
+        return Ok(Input::Log(Box::new(LogReader::open(&file, whole)?)));
+    }
+
+    let mut bytes = start;
+    input.read_to_end(&mut bytes).map_err(unreadable)?;
+    let folder = if is_standard { None } else { path.parent() };
+    let loaded = load_bytes(&file, &bytes, folder.unwrap_or(Path::new("")))?;
+    for note in &loaded.notes {
+        // a note that nobody can read stops nothing
+        let _ = writeln!(io::stderr(), "note: {note}");
+    }
+    Ok(Input::Scene(Box::new(loaded)))
+}
+
+/// A scene as the options want it, checked.
+pub(crate) fn ready(
+    mut loaded: Loaded,
+    tracing: &Tracing,
+    started: Instant,
+) -> Result<Ready, Error> {
+    if let Some(pixels) = tracing.pixels {
+        loaded.scene.camera.pixels = pixels;
+    }
+    if let Some(depth) = tracing.max_depth {
+        loaded.scene.max_depth = depth;
+    }
+    let mut scene = loaded.build().map_err(|error| {
+        // what an option has put there stands in no line of the file
+        let option = match &error {
+            LoadError::Fault { fault, .. } => match fault {
+                Fault::Pixels { .. } if tracing.pixels.is_some() => Some(("--pixels", fault)),
+                Fault::Depth { .. } if tracing.max_depth.is_some() => Some(("--max-depth", fault)),
+                _ => None,
+            },
+            _ => None,
+        };
+        match option {
+            Some((option, fault)) => Error::Option {
+                option,
+                fault: fault.clone(),
+            },
+            None => Error::Load(error),
+        }
+    })?;
+    if tracing.one_sided {
+        scene = scene.one_sided();
+    }
+    let settings = Settings {
+        strategy: tracing.strategy.unwrap_or_default(),
+        transport: tracing.transport.unwrap_or_default(),
+        through: tracing.through.unwrap_or_default(),
+        one_sided: tracing.one_sided,
+        only: None,
+        region: None,
+    };
+    Ok(Ready {
+        scene,
+        settings,
+        loading: started.elapsed(),
+    })
+}
+
+/// Refuses options that would trace anew what a log has traced already.
+pub(crate) fn refuse_tracing(path: &Path, tracing: &Tracing) -> Result<(), Error> {
+    let given = [
+        ("--strategy", tracing.strategy.is_some()),
+        ("--transport", tracing.transport.is_some()),
+        ("--pixels", tracing.pixels.is_some()),
+        ("--max-depth", tracing.max_depth.is_some()),
+        ("--one-sided", tracing.one_sided),
+        ("--through", tracing.through.is_some()),
+    ];
+    let given = given.into_iter().filter(|(_, is_given)| *is_given);
+    let names: Vec<&str> = given.map(|(name, _)| name).collect();
+    let asks = if names.len() == 1 {
+        "asks for"
+    } else {
+        "ask for"
+    };
+    match names.split_last() {
+        None => Ok(()),
+        Some((last, [])) => Err(needs_scene(path, &format!("{last} {asks}"))),
+        Some((last, others)) => {
+            let what = format!("{} and {last} {asks}", others.join(", "));
+            Err(needs_scene(path, &what))
+        }
+    }
+}
+
+/// The error that says that a log is not enough; `what` goes before "new rays".
+pub(crate) fn needs_scene(path: &Path, what: &str) -> Error {
+    Error::NeedsScene {
+        file: name_of(path),
+        what: what.into(),
+    }
+}

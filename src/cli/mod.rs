@@ -1,0 +1,36 @@
+//! The command line: one file per verb. It reads scenes and logs, calls the library, writes files.
+
+mod args;
+mod completions;
+mod convert;
+mod error;
+mod input;
+mod output;
+mod pixel;
+mod progress;
+mod render;
+mod schema;
+mod stats;
+mod trace;
+
+pub(crate) use error::Error;
+
+use std::ffi::OsString;
+
+use clap::Parser;
+
+use args::{Args, Verb};
+
+/// Does what the arguments say; the first one is the name of the program.
+pub(crate) fn run(arguments: impl Iterator<Item = OsString>) -> Result<(), Error> {
+    let arguments: Vec<OsString> = arguments.collect();
+    args::refuse_negative(&arguments)?;
+    match Args::try_parse_from(arguments)?.verb {
+        Verb::Pixel(args) => pixel::run(&args),
+        Verb::Trace(args) => trace::run(&args),
+        Verb::Render(args) => render::run(&args),
+        Verb::Convert(args) => convert::run(&args),
+        Verb::Schema(args) => schema::run(&args),
+        Verb::Completions(args) => completions::run(&args),
+    }
+}

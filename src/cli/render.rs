@@ -1,0 +1,99 @@
+//! `raystep render`: the picture as PNG, 8 bits a channel, without gamma.
+
+use std::io::{self, Write};
+use std::time::Instant;
+
+use raystep::{
+    Counts, Exhaustive, Off, Picture, Recorder, Strategy, StrategyName, Through, Tracer, render,
+};
+
+use crate::cli::Error;
+use crate::cli::args::{Format, RenderArgs};
+use crate::cli::input::{self, Input, Ready};
+use crate::cli::output::{self, Output};
+use crate::cli::progress::{bar, on_threads};
+use crate::cli::stats::{self, Times};
+
+/// Writes the picture.
+pub(crate) fn run(args: &RenderArgs) -> Result<(), Error> {
+    if args.tracing.stats == Some(Format::Json) && output::is_standard(&args.output) {
+        return Err(Error::StandardOutputTwice {
+            fix: "name a file with -o, or take --stats, which writes to standard error",
+        });
+    }
+    let started = Instant::now();
+    let ready = match input::open(&args.scene)? {
+        Input::Scene(loaded) => input::ready(*loaded, &args.tracing, started)?,
+        Input::Log(_) => return Err(input::needs_scene(&args.scene, "a picture needs")),
+    };
+    let mut out = Output::create(&args.output)?;
+    let started = Instant::now();
+    match ready.settings.strategy {
+        StrategyName::Exhaustive => {
+            let strategy = Exhaustive::new(&ready.scene);
+            let times = Times {
+                loading: ready.loading,
+                building: started.elapsed(),
+                ..Times::default()
+            };
+            let (picture, counted) = render_with(&strategy, &ready, args, times)?;
+            write_png(&picture, &mut out).map_err(|error| out.failed(error))?;
+            out.finish()?;
+            match (args.tracing.stats, counted) {
+                (Some(format), Some((counts, times))) => stats::tell(format, &counts, times),
+                _ => Ok(()),
+            }
+        }
+    }
+}
+
+/// The picture, and its counts if they are wanted.
+fn render_with<S: Strategy>(
+    strategy: &S,
+    ready: &Ready,
+    args: &RenderArgs,
+    mut times: Times,
+) -> Result<(Picture, Option<(Counts, Times)>), Error> {
+    let tracer = Tracer {
+        scene: &ready.scene,
+        strategy,
+        transport: ready.settings.transport,
+    };
+    if args.tracing.stats.is_none() {
+        let (picture, _) = traced::<_, Off>(&tracer, ready, args)?;
+        return Ok((picture, None));
+    }
+    let started = Instant::now();
+    let (picture, counts) = traced::<_, Counts>(&tracer, ready, args)?;
+    times.tracing = started.elapsed();
+    Ok((picture, Some((stats::sum(&counts), times))))
+}
+
+fn traced<S: Strategy, R: Recorder + Default + Send>(
+    tracer: &Tracer<'_, S>,
+    ready: &Ready,
+    args: &RenderArgs,
+) -> Result<(Picture, Vec<R>), Error> {
+    let through = ready.settings.through;
+    let rows = u64::from(ready.scene.camera.pixels[1]);
+    // through the corners there is one more line of eye rays than of pixels
+    let bar = bar(rows + u64::from(through == Through::Corners));
+    let done = |lines: usize| bar.set_position(lines as u64);
+    let traced = on_threads(args.threads, || render(tracer, through, done));
+    bar.finish_and_clear();
+    traced
+}
+
+fn write_png(picture: &Picture, out: impl Write) -> io::Result<()> {
+    let failed = |error| match error {
+        png::EncodingError::IoError(error) => error,
+        other => io::Error::other(other),
+    };
+    let [width, height] = picture.pixels;
+    let mut encoder = png::Encoder::new(out, width, height);
+    encoder.set_color(png::ColorType::Rgb);
+    encoder.set_depth(png::BitDepth::Eight);
+    let mut writer = encoder.write_header().map_err(failed)?;
+    writer.write_image_data(&picture.bytes()).map_err(failed)?;
+    writer.finish().map_err(failed)
+}

@@ -1,0 +1,86 @@
+//! `--stats`: what a trace cost, in counts and seconds.
+
+use std::io::{self, Write};
+use std::time::Duration;
+
+use raystep::{Counts, Record, Recorder, Settings, counts_json, counts_text};
+use serde_json::{Value, json};
+
+use crate::cli::Error;
+use crate::cli::args::Format;
+use crate::cli::output::Output;
+
+/// How long each part took.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Times {
+    /// Reading and checking the scene or the log.
+    pub(crate) loading: Duration,
+    /// Building what the strategy needs.
+    pub(crate) building: Duration,
+    /// Tracing and writing.
+    pub(crate) tracing: Duration,
+}
+
+/// Tells the counts: as text on standard error, as JSON on standard output.
+pub(crate) fn tell(format: Format, counts: &Counts, times: Times) -> Result<(), Error> {
+    let parts = [
+        ("loading", times.loading),
+        ("building", times.building),
+        ("tracing", times.tracing),
+    ];
+    match format {
+        Format::Text => {
+            let seconds = parts.map(|(part, time)| format!("{part} {:.3} s", time.as_secs_f64()));
+            let table = counts_text(counts);
+            // counts that nobody can read stop nothing
+            let _ = writeln!(io::stderr(), "{}\n{}", table.trim_end(), seconds.join(", "));
+            Ok(())
+        }
+        Format::Json => {
+            let mut report = counts_json(counts);
+            let seconds = parts.map(|(part, time)| (part.into(), json!(time.as_secs_f64())));
+            report["seconds"] = Value::Object(seconds.into_iter().collect());
+            Output::standard().write_whole(format!("{report:#}\n").as_bytes())
+        }
+    }
+}
+
+/// Counts what a log holds.
+#[derive(Debug, Default)]
+pub(crate) struct LogCounts(Counts);
+
+impl LogCounts {
+    /// Counts of a log; refused where it was filtered by kind, since the sums would be wrong.
+    pub(crate) fn new(file: &str, settings: &Settings) -> Result<Self, Error> {
+        match &settings.only {
+            None => Ok(Self::default()),
+            Some(only) => Err(Error::NotInLog {
+                file: file.into(),
+                what: format!(
+                    "--stats counts all kinds, and this log kept only {}",
+                    only.join(", ")
+                ),
+                fix: "count a log that was made without --only",
+            }),
+        }
+    }
+
+    /// One more event.
+    pub(crate) fn add(&mut self, record: &Record) {
+        self.0.note(|| record.event);
+    }
+
+    /// The sums.
+    pub(crate) fn counts(&self) -> &Counts {
+        &self.0
+    }
+}
+
+/// The sum over the parts of a picture.
+pub(crate) fn sum(parts: &[Counts]) -> Counts {
+    let mut sum = Counts::default();
+    for part in parts {
+        sum.add(part);
+    }
+    sum
+}

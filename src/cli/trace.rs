@@ -1,0 +1,214 @@
+//! `raystep trace`: the log of a picture or a part of it; a log is filtered again.
+
+use std::io::Write;
+use std::time::Instant;
+
+use raystep::{
+    Budget, Counts, Exhaustive, Filter, Kind, Kinds, LineSink, LogNames, LogOptions, LogStopped,
+    Off, Recorder, Region, Scene, Settings, Sink, Strategy, StrategyName, Tracer, write_log,
+    write_log_head,
+};
+
+use crate::cli::Error;
+use crate::cli::args::{Format, TraceArgs};
+use crate::cli::input::{self, Input, Log, Ready};
+use crate::cli::output::{self, Output};
+use crate::cli::progress::{bar, on_threads};
+use crate::cli::stats::{self, LogCounts, Times};
+
+/// How many bytes of a filtered log are kept before they are written.
+const BUFFER: usize = 1 << 16;
+
+/// Writes the log.
+pub(crate) fn run(args: &TraceArgs) -> Result<(), Error> {
+    if args.tracing.stats == Some(Format::Json) && output::is_standard(&args.output) {
+        return Err(Error::StandardOutputTwice {
+            fix: "name a file with -o, or take --stats, which writes to standard error",
+        });
+    }
+    let started = Instant::now();
+    match input::open(&args.scene)? {
+        Input::Scene(loaded) => trace(input::ready(*loaded, &args.tracing, started)?, args),
+        Input::Log(log) => {
+            input::refuse_tracing(&args.scene, &args.tracing)?;
+            filter_again(*log, args, started)
+        }
+    }
+}
+
+fn trace(mut ready: Ready, args: &TraceArgs) -> Result<(), Error> {
+    let settings = &mut ready.settings;
+    settings.region = args.region;
+    settings.only = (!args.only.is_empty()).then(|| names(&args.only));
+    let options = LogOptions {
+        region: region(args.region, &ready.scene)?,
+        kinds: match settings.only {
+            Some(_) => Kinds::of(&args.only),
+            None => Kinds::ALL,
+        },
+        budget: args.budget,
+    };
+    let out = Output::create(&args.output)?;
+    let started = Instant::now();
+    match ready.settings.strategy {
+        StrategyName::Exhaustive => {
+            let strategy = Exhaustive::new(&ready.scene);
+            let times = Times {
+                loading: ready.loading,
+                building: started.elapsed(),
+                ..Times::default()
+            };
+            trace_with(&strategy, &ready, args, &options, out, times)
+        }
+    }
+}
+
+fn trace_with<S: Strategy>(
+    strategy: &S,
+    ready: &Ready,
+    args: &TraceArgs,
+    options: &LogOptions,
+    mut out: Output,
+    mut times: Times,
+) -> Result<(), Error> {
+    let tracer = Tracer {
+        scene: &ready.scene,
+        strategy,
+        transport: ready.settings.transport,
+    };
+    let Some(format) = args.tracing.stats else {
+        write::<_, Off>(&tracer, ready, args, options, &mut out)?;
+        return out.finish();
+    };
+    let started = Instant::now();
+    let counts = write::<_, Counts>(&tracer, ready, args, options, &mut out)?;
+    times.tracing = started.elapsed();
+    out.finish()?;
+    stats::tell(format, &stats::sum(&counts), times)
+}
+
+/// Writes the log, and gives back what else heard of the trace.
+fn write<S: Strategy, R: Recorder + Default + Send>(
+    tracer: &Tracer<'_, S>,
+    ready: &Ready,
+    args: &TraceArgs,
+    options: &LogOptions,
+    out: &mut Output,
+) -> Result<Vec<R>, Error> {
+    let bar = bar(u64::from(options.region.to[1] - options.region.from[1]) + 1);
+    let done = |lines: usize| bar.set_position(lines as u64);
+    let written = on_threads(args.threads, || {
+        write_log(tracer, &ready.settings, options, &mut *out, done)
+    });
+    bar.finish_and_clear();
+    written?.map_err(|stopped| match stopped {
+        LogStopped::Output(error) => out.failed(error),
+        LogStopped::Budget => Error::Budget {
+            budget: args.budget,
+        },
+    })
+}
+
+/// Reads a log and writes what is wanted of it, line by line.
+fn filter_again(mut log: Log, args: &TraceArgs, started: Instant) -> Result<(), Error> {
+    let file = input::name_of(&args.scene);
+    let missing = |what: String| Error::NotInLog {
+        file: file.clone(),
+        what,
+        fix: "choose among them, or trace the scene again",
+    };
+    let mut settings: Settings = log.settings().clone();
+    if let Some(wanted) = args.region {
+        region(args.region, log.scene())?;
+        let kept = settings.region.unwrap_or(wanted);
+        settings.region = Some(overlap(wanted, kept).ok_or_else(|| {
+            missing(format!(
+                "this log kept only the pixels {kept}, none of them in {wanted}"
+            ))
+        })?);
+    }
+    let mut kinds: Vec<Kind> = args.only.clone();
+    if kinds.is_empty() {
+        kinds = Kind::ALL.into();
+    }
+    if let Some(kept) = &settings.only {
+        kinds.retain(|kind| kept.iter().any(|name| name == kind.name()));
+        if kinds.is_empty() {
+            return Err(missing(format!("this log kept only {}", kept.join(", "))));
+        }
+    }
+    if settings.only.is_some() || !args.only.is_empty() {
+        settings.only = Some(names(&kinds));
+    }
+    let mut counts = match args.tracing.stats {
+        Some(_) => Some(LogCounts::new(&file, log.settings())?),
+        None => None,
+    };
+
+    let mut out = Output::create(&args.output)?;
+    let written = write_log_head(log.scene(), &settings, &mut out);
+    written.map_err(|error| out.failed(error))?;
+    let names = LogNames::new(log.scene());
+    let mut sink = Filter {
+        kinds: Kinds::of(&kinds),
+        region: settings.region,
+        sink: Budget {
+            left: args.budget,
+            dropped: 0,
+            sink: LineSink::new(&names),
+        },
+    };
+    while let Some(record) = log.next_record()? {
+        sink.record(&record);
+        if let Some(counts) = &mut counts
+            && settings
+                .region
+                .is_none_or(|region| region.contains(record.pixel))
+        {
+            counts.add(&record);
+        }
+        if 0 < sink.sink.dropped {
+            let budget = args.budget;
+            return Err(Error::Budget { budget });
+        }
+        let lines = &mut sink.sink.sink.lines;
+        if BUFFER <= lines.len() {
+            out.write_all(lines).map_err(|error| out.failed(error))?;
+            lines.clear();
+        }
+    }
+    out.write_whole(&sink.sink.sink.lines)?;
+
+    if let (Some(format), Some(counts)) = (args.tracing.stats, counts) {
+        let times = Times {
+            loading: started.elapsed(),
+            ..Times::default()
+        };
+        stats::tell(format, counts.counts(), times)?;
+    }
+    Ok(())
+}
+
+/// The region, or the whole picture.
+fn region(region: Option<Region>, scene: &Scene) -> Result<Region, Error> {
+    let pixels = scene.camera.pixels;
+    let whole = Region::whole(pixels);
+    match region {
+        None => Ok(whole),
+        Some(region) if whole.contains(region.from) && whole.contains(region.to) => Ok(region),
+        Some(region) => Err(Error::RegionOutside { region, pixels }),
+    }
+}
+
+/// The pixels that lie in both regions.
+fn overlap(a: Region, b: Region) -> Option<Region> {
+    let from = [0, 1].map(|i| a.from[i].max(b.from[i]));
+    let to = [0, 1].map(|i| a.to[i].min(b.to[i]));
+    (from[0] <= to[0] && from[1] <= to[1]).then_some(Region { from, to })
+}
+
+/// The names of kinds, each once and always in the same order.
+fn names(kinds: &[Kind]) -> Vec<String> {
+    let wanted = Kind::ALL.into_iter().filter(|kind| kinds.contains(kind));
+    wanted.map(|kind| kind.name().into()).collect()
+}

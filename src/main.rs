@@ -1,0 +1,32 @@
+//! The command `raystep`: parse, run, print one error.
+
+mod cli;
+
+use std::io::{self, Write};
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    match cli::run(std::env::args_os()) {
+        Ok(()) => ExitCode::SUCCESS,
+        // who closes a pipe has read enough
+        Err(error) if error.is_closed_pipe() => ExitCode::SUCCESS,
+        Err(error) => {
+            // there is nobody left to tell if this fails
+            let _ = match &error {
+                cli::Error::Usage(usage) => usage.print(),
+                told => writeln!(
+                    io::stderr(),
+                    "error: {}",
+                    printable_lines(&told.to_string())
+                ),
+            };
+            ExitCode::from(error.exit_code())
+        }
+    }
+}
+
+/// A message whose names cannot control the terminal.
+fn printable_lines(message: &str) -> String {
+    let lines: Vec<_> = message.lines().map(raystep::printable).collect();
+    lines.join("\n")
+}
