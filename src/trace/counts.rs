@@ -25,6 +25,9 @@ pub struct RayCount {
 }
 
 /// Tests of one kind. Tests are hits and misses, no more and no less.
+///
+/// A polygon takes two: `plane_test` hits if its plane is met where it counts, and then `polygon_test` if
+/// the point lies inside.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct TestCount {
     /// How many were made.

@@ -188,7 +188,7 @@ fn optional_root<V: Visitor>(root: &mut Option<Root>, [at, fate]: [&'static str;
     };
 }
 
-/// Is a ray parallel to a slab or a plane?
+/// Is a ray parallel to a slab?
 #[derive(Clone, Copy, Default, PartialEq)]
 pub(super) enum Parallel {
     #[default]
@@ -230,6 +230,15 @@ impl Fields for BoxTest {
     }
 }
 
+/// Is a ray parallel to a plane?
+#[derive(Clone, Copy, Default, PartialEq)]
+pub(super) enum ToPlane {
+    #[default]
+    Meets,
+    Beside,
+    Within,
+}
+
 impl Fields for PlaneTest {
     fn fields<V: Visitor>(&mut self, v: &mut V) {
         let mut plane = self.plane.normal.extend(self.plane.d).to_array();
@@ -240,20 +249,20 @@ impl Fields for PlaneTest {
         v.field("numerator", "A x0 + B y0 + C z0 + D", &mut self.numerator);
         v.field("denominator", "A dx + B dy + C dz", &mut self.denominator);
         let (mut parallel, mut root) = match self.verdict {
-            PlaneVerdict::Meets(root) => (Parallel::No, Some(root)),
-            PlaneVerdict::ParallelBeside => (Parallel::Outside, None),
-            PlaneVerdict::ParallelWithin => (Parallel::Inside, None),
+            PlaneVerdict::Meets(root) => (ToPlane::Meets, Some(root)),
+            PlaneVerdict::ParallelBeside => (ToPlane::Beside, None),
+            PlaneVerdict::ParallelWithin => (ToPlane::Within, None),
         };
         v.field(
             "parallel",
-            "is the ray parallel to the plane, in it or outside",
+            "is the ray parallel to the plane: beside it or in it",
             &mut parallel,
         );
         optional_root(&mut root, ["root", "fate"], v);
         self.verdict = match (parallel, root) {
-            (Parallel::No, Some(root)) => PlaneVerdict::Meets(root),
-            (Parallel::Outside, None) => PlaneVerdict::ParallelBeside,
-            (Parallel::Inside, None) => PlaneVerdict::ParallelWithin,
+            (ToPlane::Meets, Some(root)) => PlaneVerdict::Meets(root),
+            (ToPlane::Beside, None) => PlaneVerdict::ParallelBeside,
+            (ToPlane::Within, None) => PlaneVerdict::ParallelWithin,
             _ => return v.fail("a plane is met at a root unless the ray is parallel to it"),
         };
         let met = "where the plane is met, if that counts; polygon_test says whether inside";

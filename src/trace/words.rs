@@ -2,7 +2,7 @@
 
 use crate::geometry::{Axis, DecidedBy, Fate};
 use crate::trace::fields::Word;
-use crate::trace::kinds::{Parallel, RootCount};
+use crate::trace::kinds::{Parallel, RootCount, ToPlane};
 use crate::trace::{Outcome, Purpose, Visibility};
 
 /// Gives each value of an enum its word.
@@ -16,6 +16,7 @@ macro_rules! words {
 
 words!(RootCount { None = "none", Graze = "graze", Two = "two", Linear = "linear" });
 words!(Parallel { No = "no", Inside = "inside", Outside = "outside" });
+words!(ToPlane { Meets = "no", Beside = "beside", Within = "in" });
 words!(Axis { X = "x", Y = "y", Z = "z" });
 words!(DecidedBy { Point = "point", Ray = "ray" });
 words!(Fate {

@@ -250,7 +250,7 @@ fn fields_that_contradict_each_other_are_named() {
     let what = "a plane is met at a root unless the ray is parallel to it";
     check(
         8,
-        "\"parallel\":\"outside\"",
+        "\"parallel\":\"beside\"",
         "\"parallel\":\"no\"",
         "",
         what,
