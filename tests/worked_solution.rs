@@ -112,7 +112,7 @@ fn the_shade_is_worked_out_as_on_paper() {
             "diffuse: light·colour·diffuse·(N·L) = (1, 1, 1)·(0.5, 0.5, 0)·0.5·1 = (0.25, 0.25, 0)",
             "R = 2(N·L)N - L = (0, 0, -1), V = -Δ = (0, 0, -1)",
             "R·V = 0·0 + 0·0 + (-1)·(-1) = 1",
-            "specular: light·specular·(R·V)^shininess = (1, 1, 1)·0.25·1^3 = (0.25, 0.25, 0.25)",
+            "specular: light·specular·max(0, R·V)^shininess = (1, 1, 1)·0.25·1^3 = (0.25, 0.25, 0.25)",
             "Ambient: (0.5, 0.5, 0.5)·(0.5, 0.5, 0) = (0.25, 0.25, 0)",
             "Sum over the visible lights: (0.5, 0.5, 0.25)",
             "Ray 2: reflected, sent on from ray 0, depth 2",

@@ -34,16 +34,9 @@ fn node(
                 let ray = &tree.rays[place];
                 let mut object = node(&ray.items, tree, records, names);
                 object.insert("id".into(), ray.id.into());
-                let of_ray = records.iter().filter(|r| r.ray == Some(ray.id));
-                for record in of_ray {
-                    match record.event {
-                        crate::trace::Event::Ray(_) => {
-                            object.insert("start".into(), event(record, names));
-                        }
-                        crate::trace::Event::RayEnd(_) => {
-                            object.insert("end".into(), event(record, names));
-                        }
-                        _ => {}
+                for (key, at) in ["start", "end"].into_iter().zip(ray.ends_at) {
+                    if let Some(at) = at {
+                        object.insert(key.into(), event(&records[at], names));
                     }
                 }
                 rays.push(Value::Object(object));

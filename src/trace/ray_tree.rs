@@ -26,6 +26,8 @@ pub struct RayNode {
     pub start: Option<RayStart>,
     /// Its end; `None` if the log was filtered.
     pub end: Option<RayEnd>,
+    /// The places of its start and its end among the records.
+    pub ends_at: [Option<usize>; 2],
     /// What happened on it, in order, its start and end left out.
     pub items: Vec<Item>,
 }
@@ -50,8 +52,14 @@ impl RayTree {
             };
             let node = tree.node(id, record.parent);
             match record.event {
-                Event::Ray(start) => tree.rays[node].start = Some(start),
-                Event::RayEnd(end) => tree.rays[node].end = Some(end),
+                Event::Ray(start) => {
+                    tree.rays[node].start = Some(start);
+                    tree.rays[node].ends_at[0] = Some(at);
+                }
+                Event::RayEnd(end) => {
+                    tree.rays[node].end = Some(end);
+                    tree.rays[node].ends_at[1] = Some(at);
+                }
                 _ => tree.rays[node].items.push(Item::Event(at)),
             }
         }

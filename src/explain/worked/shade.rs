@@ -117,15 +117,16 @@ impl Solution<'_> {
             self.page
                 .plain(format!("R·V = {product} = {}", d.number(term.r_dot_v)));
         }
-        if term.r_dot_v <= 0.0 {
+        // max(0, R·V)^0 is 1, so a shininess of 0 has its highlight on the far side too
+        if term.specular == DVec3::ZERO && term.r_dot_v <= 0.0 {
             self.page.plain("specular: none, R·V is not above 0");
             return;
         }
         self.page.plain(format!(
-            "specular: light·specular·(R·V)^shininess = {}·{}·{}^{} = {}",
+            "specular: light·specular·max(0, R·V)^shininess = {}·{}·{}^{} = {}",
             d.vector(intensity),
             d.number(material.specular),
-            d.number(term.r_dot_v),
+            d.number(term.r_dot_v.max(0.0)),
             d.number(material.shininess),
             d.vector(term.specular)
         ));
