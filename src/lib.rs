@@ -9,10 +9,13 @@
 //! 1. [`geometry`]: the ray (i), the sphere (ii) (iii), the plane (iv) (v) and the polygon (Fig. 15.57), each
 //!    test a pure function that returns its working;
 //! 2. [`scene`]: the camera with its window, objects, materials and lights, and the file they come from;
-//! 3. [`trace`]: what can happen to a ray, who records it, and the log as JSON Lines;
-//! 4. [`strategy`]: which objects a ray is tested against: every one (Fig. 15.56);
-//! 5. [`tracer`]: what a hit leads to: shadow rays, reflection, refraction; pixels and pictures;
-//! 6. [`explain`]: from events to words.
+//! 3. [`structure`]: what is built over a scene before any ray: slabs (Fig. 15.58), hierarchies, the grid
+//!    (Fig. 15.61);
+//! 4. [`trace`]: what can happen to a ray, who records it, and the log as JSON Lines;
+//! 5. [`strategy`]: which objects a ray is tested against: every one (Fig. 15.56), or only those that a
+//!    structure leaves;
+//! 6. [`tracer`]: what a hit leads to: shadow rays, reflection, refraction; pixels and pictures;
+//! 7. [`explain`]: from events to words.
 //!
 //! Equations and figures are numbered as in the course's slides, after Foley, van Dam, Feiner and Hughes,
 //! *Computer Graphics: Principles and Practice*, §15.10.
@@ -44,6 +47,7 @@ pub mod explain;
 pub mod geometry;
 pub mod scene;
 pub mod strategy;
+pub mod structure;
 pub mod trace;
 pub mod tracer;
 
@@ -51,23 +55,32 @@ pub use explain::{
     WorkedOptions, counts_json, counts_text, pixel_json, printable, worked_solution,
 };
 pub use geometry::{
-    Axis, AxisBox, BoxTest, Cone, DecidedBy, EdgeTest, Ellipsoid, Fate, GRAZE, Plane, PlaneTest,
-    PlaneVerdict, Polygon, PolygonError, PolygonTest, QuadraticTest, Ray, Refraction, Root, Roots,
-    Sides, SlabInterval, SlabRay, Sphere, TRange, interpolated_normal, mean_value_weights, reflect,
-    refract,
+    Alignment, Axis, AxisBox, BoxTest, Cone, DecidedBy, EdgeTest, Ellipsoid, Fate, GRAZE, Plane,
+    PlaneTest, PlaneVerdict, Polygon, PolygonError, PolygonTest, QuadraticTest, Ray, Refraction,
+    Root, Roots, Sides, SlabInterval, SlabRay, Sphere, TRange, interpolated_normal,
+    mean_value_weights, reflect, refract,
 };
 pub use scene::{
     Camera, Emission, Fault, Light, LoadError, Loaded, Material, Materials, Normals, Object,
     PhongTerm, Primitive, PrimitiveId, Scene, SceneFault, SceneFile, Shape, load, load_bytes,
     nearest_name,
 };
-pub use strategy::{Exhaustive, Hit, NearestSoFar, Strategy, test_primitive};
+pub use strategy::{
+    AnyHit, Chosen, DepthFirst, Exhaustive, HeapOrdered, Hit, NearestSoFar, Search, Strategy,
+    test_primitive,
+};
+pub use structure::{
+    Across, AssignStep, Build, CellStep, GridOptions, Hierarchy, Inside, Link, Lists, MOST_SLABS,
+    MergeStep, Node, RaySlabs, Share, SlabBound, SlabChoice, SlabOutcome, SlabSet, SlabSetError,
+    SlabStep, StructureError, StructureOptions, VolumeKind, extent,
+};
 pub use trace::{
-    Budget, Counts, Event, Filter, Item, Kind, Kinds, LightTerm, LineSink, LogError, LogNames,
-    LogReader, Nearest, Off, Outcome, PixelColour, PixelSample, Purpose, RayCount, RayEnd, RayNode,
-    RayStart, RayTree, Record, Recorder, Recording, Region, Settings, Shade, Sink, StrategyName,
-    TestCount, Through, Transport, Visibility, begins_log, scene_schema, trace_schema,
-    write_log_head,
+    Aligned, AlignedPart, BoundOutcome, BoundTest, Bounded, Budget, CellVisit, Counts, Event,
+    Filter, GridEnter, GridExit, HitOutsideCell, Item, Kind, Kinds, LightTerm, LineSink, LogError,
+    LogNames, LogReader, Nearest, NodeOutcome, NodeVisit, Off, Outcome, PixelColour, PixelSample,
+    Purpose, QueueAction, QueueStep, RayCount, RayEnd, RayNode, RayStart, RayTree, Record,
+    Recorder, Recording, Region, Settings, Shade, Sink, SlabTest, StrategyName, TestCount, Through,
+    Transport, Visibility, WalkEnd, ZSort, begins_log, scene_schema, trace_schema, write_log_head,
 };
 pub use tracer::{
     EPSILON, LogOptions, LogStopped, Picture, Tracer, eye_samples, render, start_epsilon,

@@ -5,7 +5,10 @@ use std::path::PathBuf;
 
 use clap::{Args as ClapArgs, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
-use raystep::{Kind, Region, StrategyName, Through, Transport, nearest_name};
+use raystep::{
+    Build, GridOptions, Kind, Lists, Region, SlabChoice, StrategyName, StructureOptions, Through,
+    Transport, VolumeKind, nearest_name,
+};
 
 use crate::cli::Error;
 
@@ -44,6 +47,30 @@ pub(crate) struct Tracing {
     /// Which objects each ray is tested against [default: exhaustive]
     #[arg(long, value_enum, value_name = "NAME")]
     pub(crate) strategy: Option<StrategyName>,
+    /// Volume around each object, for bounds [default: box]
+    #[arg(long, value_enum, value_name = "NAME")]
+    pub(crate) volume: Option<VolumeKind>,
+    /// Directions of slabs, for bounds, hierarchy and heap [default: axes]
+    #[arg(long, value_enum, value_name = "NAME")]
+    pub(crate) slabs: Option<SlabChoice>,
+    /// How the tree is built, for hierarchy and heap [default: bottom-up]
+    #[arg(long, value_enum, value_name = "NAME")]
+    pub(crate) build: Option<Build>,
+    /// Cells along x, y and z, for grid [default: by the density]
+    #[arg(long, value_name = "NX,NY,NZ", value_parser = cells)]
+    pub(crate) grid: Option<[u32; 3]>,
+    /// Cells for each object, for grid [default: 3]
+    #[arg(long, value_name = "D", conflicts_with = "grid")]
+    pub(crate) density: Option<f64>,
+    /// By what objects are put into cells, for grid [default: objects]
+    #[arg(long, value_enum, value_name = "NAME")]
+    pub(crate) lists: Option<Lists>,
+    /// Test an object in every cell that lists it, for grid
+    #[arg(long)]
+    pub(crate) no_mailboxes: bool,
+    /// Record how the hierarchy or the grid is built
+    #[arg(long)]
+    pub(crate) building: bool,
     /// Which rays are cast [default: hybrid-light]
     #[arg(long, value_enum, value_name = "NAME")]
     pub(crate) transport: Option<Transport>,
@@ -63,6 +90,24 @@ pub(crate) struct Tracing {
     #[arg(long, value_enum, value_name = "FORMAT", num_args = 0..=1, require_equals = true)]
     #[arg(default_missing_value = "text")]
     pub(crate) stats: Option<Format>,
+}
+
+impl Tracing {
+    /// What was chosen about the structure.
+    pub(crate) fn structure(&self) -> StructureOptions {
+        let usual = StructureOptions::default();
+        StructureOptions {
+            volume: self.volume.unwrap_or(usual.volume),
+            slabs: self.slabs.unwrap_or(usual.slabs),
+            build: self.build.unwrap_or(usual.build),
+            grid: GridOptions {
+                resolution: self.grid,
+                density: self.density.unwrap_or(usual.grid.density),
+                lists: self.lists.unwrap_or(usual.grid.lists),
+                mailboxes: !self.no_mailboxes,
+            },
+        }
+    }
 }
 
 /// Text or JSON.
@@ -221,6 +266,18 @@ fn pixel(text: &str) -> Result<[u64; 2], String> {
 /// `W,H`.
 fn pixels(text: &str) -> Result<[u32; 2], String> {
     pair(text).ok_or_else(|| "give width and height, as in 160,120".into())
+}
+
+/// `NX,NY,NZ`.
+fn cells(text: &str) -> Result<[u32; 3], String> {
+    let numbers: Vec<u32> = text
+        .split(',')
+        .map_while(|number| number.trim().parse().ok())
+        .collect();
+    match (numbers.try_into(), text.matches(',').count()) {
+        (Ok(cells), 2) => Ok(cells),
+        _ => Err("give the cells along x, y and z, as in 46,46,3".into()),
+    }
 }
 
 fn pair<T: std::str::FromStr>(text: &str) -> Option<[T; 2]> {

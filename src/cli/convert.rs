@@ -62,6 +62,7 @@ fn json(scene: &SceneFile) -> String {
         materials,
         objects,
         max_depth,
+        slabs,
     } = scene;
     let mut parts = Vec::new();
     if !name.is_empty() {
@@ -81,6 +82,9 @@ fn json(scene: &SceneFile) -> String {
         ("objects", lines('[', objects.iter().map(inline), ']')),
         ("max_depth", inline(max_depth)),
     ]);
+    if let Some(slabs) = slabs {
+        parts.push(("slabs", inline(slabs)));
+    }
     let parts: Vec<String> = parts
         .into_iter()
         .map(|(key, value)| format!("  \"{key}\": {value}"))

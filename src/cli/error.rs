@@ -3,7 +3,7 @@
 use std::fmt;
 use std::io;
 
-use raystep::{Fault, LoadError, LogError, Region};
+use raystep::{Fault, LoadError, LogError, Region, StructureError};
 
 /// Why a command did not do what it was asked to.
 #[derive(Debug)]
@@ -25,6 +25,11 @@ pub(crate) enum Error {
         option: &'static str,
         /// What is wrong with its value.
         fault: Fault,
+    },
+    /// The structure of the strategy cannot be built.
+    Structure {
+        /// Why.
+        fault: StructureError,
     },
     /// There is no such pixel.
     PixelOutside {
@@ -128,6 +133,7 @@ impl fmt::Display for Error {
             Self::Load(error) => error.fmt(f),
             Self::Log(error) => error.fmt(f),
             Self::Option { option, fault } => write!(f, "{option}: {fault}\n  {}", fault.fix()),
+            Self::Structure { fault } => fault.fmt(f),
             Self::PixelOutside {
                 pixel: [x, y],
                 pixels,

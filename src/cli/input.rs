@@ -5,7 +5,9 @@ use std::io::{self, BufRead, BufReader, Cursor, Read, Write};
 use std::path::Path;
 use std::time::{Duration, Instant};
 
-use raystep::{Fault, LoadError, Loaded, LogReader, Scene, Settings, begins_log, load_bytes};
+use raystep::{
+    Chosen, Fault, LoadError, Loaded, LogReader, Scene, Settings, begins_log, load_bytes,
+};
 
 use crate::cli::Error;
 use crate::cli::args::Tracing;
@@ -29,6 +31,18 @@ pub(crate) struct Ready {
     pub(crate) settings: Settings,
     /// How long it took to read and check it.
     pub(crate) loading: Duration,
+}
+
+impl Ready {
+    /// The strategy that the settings ask for, its structure built.
+    pub(crate) fn strategy(&self) -> Result<Chosen<'_>, Error> {
+        let Settings {
+            strategy,
+            structure,
+            ..
+        } = &self.settings;
+        Chosen::new(&self.scene, *strategy, structure).map_err(|fault| Error::Structure { fault })
+    }
 }
 
 /// The name of an input in messages.
@@ -109,6 +123,8 @@ pub(crate) fn ready(
     }
     let settings = Settings {
         strategy: tracing.strategy.unwrap_or_default(),
+        structure: tracing.structure(),
+        building: tracing.building,
         transport: tracing.transport.unwrap_or_default(),
         through: tracing.through.unwrap_or_default(),
         one_sided: tracing.one_sided,
@@ -126,6 +142,14 @@ pub(crate) fn ready(
 pub(crate) fn refuse_tracing(path: &Path, tracing: &Tracing) -> Result<(), Error> {
     let given = [
         ("--strategy", tracing.strategy.is_some()),
+        ("--volume", tracing.volume.is_some()),
+        ("--slabs", tracing.slabs.is_some()),
+        ("--build", tracing.build.is_some()),
+        ("--grid", tracing.grid.is_some()),
+        ("--density", tracing.density.is_some()),
+        ("--lists", tracing.lists.is_some()),
+        ("--no-mailboxes", tracing.no_mailboxes),
+        ("--building", tracing.building),
         ("--transport", tracing.transport.is_some()),
         ("--pixels", tracing.pixels.is_some()),
         ("--max-depth", tracing.max_depth.is_some()),

@@ -7,8 +7,8 @@ use std::time::Instant;
 
 use anstream::{AutoStream, ColorChoice};
 use raystep::{
-    Exhaustive, Kind, Kinds, Record, Recording, Scene, Settings, Sink, Strategy, StrategyName,
-    Tracer, WorkedOptions, pixel_json, trace_pixel, worked_solution,
+    Kind, Kinds, Record, Recording, Scene, Settings, Sink, Strategy, Tracer, WorkedOptions,
+    pixel_json, trace_pixel, worked_solution,
 };
 
 use crate::cli::Error;
@@ -90,7 +90,7 @@ fn trace(ready: Ready, pixel: [u32; 2], budget: u64) -> Result<Traced, Error> {
     });
     started.map_err(|source| Error::Thread { source })?;
     match receiver.recv() {
-        Ok(Some(traced)) => Ok(*traced),
+        Ok(Some(traced)) => *traced,
         Ok(None) | Err(_) => Err(Error::Budget { budget }),
     }
 }
@@ -101,7 +101,7 @@ const STACK: usize = 16 << 20;
 /// Says once that more events came than the budget allows.
 struct Spending {
     budget: u64,
-    spent: mpsc::Sender<Option<Box<Traced>>>,
+    spent: mpsc::Sender<Option<Box<Result<Traced, Error>>>>,
 }
 
 /// Keeps records up to a budget.
@@ -121,43 +121,36 @@ impl Sink for Kept {
     }
 }
 
-fn trace_here(ready: Ready, pixel: [u32; 2], spending: Spending) -> Traced {
-    fn record<S: Strategy>(
-        strategy: &S,
-        ready: &Ready,
-        pixel: [u32; 2],
-        spending: Spending,
-    ) -> Vec<Record> {
-        let tracer = Tracer {
-            scene: &ready.scene,
-            strategy,
-            transport: ready.settings.transport,
-        };
-        let mut recording = Recording::new(Kept {
-            records: Vec::new(),
-            spending,
-        });
-        trace_pixel(&tracer, pixel, ready.settings.through, &mut recording);
-        recording.into_sink().records
-    }
+fn trace_here(ready: Ready, pixel: [u32; 2], spending: Spending) -> Result<Traced, Error> {
     let started = Instant::now();
-    let (built, records) = match ready.settings.strategy {
-        StrategyName::Exhaustive => {
-            let strategy = Exhaustive::new(&ready.scene);
-            let built = Instant::now();
-            (built, record(&strategy, &ready, pixel, spending))
-        }
+    let strategy = ready.strategy()?;
+    let built = Instant::now();
+    let tracer = Tracer {
+        scene: &ready.scene,
+        strategy: &strategy,
+        transport: ready.settings.transport,
     };
-    Traced {
-        times: Times {
-            loading: ready.loading,
-            building: built - started,
-            tracing: built.elapsed(),
-        },
+    let mut recording = Recording::new(Kept {
+        records: Vec::new(),
+        spending,
+    });
+    if ready.settings.building {
+        strategy.note_building(&mut recording);
+    }
+    trace_pixel(&tracer, pixel, ready.settings.through, &mut recording);
+    let records = recording.into_sink().records;
+    let times = Times {
+        loading: ready.loading,
+        building: built - started,
+        tracing: built.elapsed(),
+    };
+    drop(strategy);
+    Ok(Traced {
+        times,
         scene: ready.scene,
         settings: ready.settings,
         records,
-    }
+    })
 }
 
 fn from_log(log: Log, args: &PixelArgs, started: Instant) -> Result<Traced, Error> {

@@ -3,9 +3,7 @@
 use std::io::{self, Write};
 use std::time::Instant;
 
-use raystep::{
-    Counts, Exhaustive, Off, Picture, Recorder, Strategy, StrategyName, Through, Tracer, render,
-};
+use raystep::{Counts, Off, Picture, Recorder, Strategy, Through, Tracer, render};
 
 use crate::cli::Error;
 use crate::cli::args::{Format, RenderArgs};
@@ -28,22 +26,18 @@ pub(crate) fn run(args: &RenderArgs) -> Result<(), Error> {
     };
     let mut out = Output::create(&args.output)?;
     let started = Instant::now();
-    match ready.settings.strategy {
-        StrategyName::Exhaustive => {
-            let strategy = Exhaustive::new(&ready.scene);
-            let times = Times {
-                loading: ready.loading,
-                building: started.elapsed(),
-                ..Times::default()
-            };
-            let (picture, counted) = render_with(&strategy, &ready, args, times)?;
-            write_png(&picture, &mut out).map_err(|error| out.failed(error))?;
-            out.finish()?;
-            match (args.tracing.stats, counted) {
-                (Some(format), Some((counts, times))) => stats::tell(format, &counts, times),
-                _ => Ok(()),
-            }
-        }
+    let strategy = ready.strategy()?;
+    let times = Times {
+        loading: ready.loading,
+        building: started.elapsed(),
+        ..Times::default()
+    };
+    let (picture, counted) = render_with(&strategy, &ready, args, times)?;
+    write_png(&picture, &mut out).map_err(|error| out.failed(error))?;
+    out.finish()?;
+    match (args.tracing.stats, counted) {
+        (Some(format), Some((counts, times))) => stats::tell(format, &counts, times),
+        _ => Ok(()),
     }
 }
 

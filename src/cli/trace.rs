@@ -4,9 +4,8 @@ use std::io::Write;
 use std::time::Instant;
 
 use raystep::{
-    Budget, Counts, Exhaustive, Filter, Kind, Kinds, LineSink, LogNames, LogOptions, LogStopped,
-    Off, Recorder, Region, Scene, Settings, Sink, Strategy, StrategyName, Tracer, write_log,
-    write_log_head,
+    Budget, Counts, Filter, Kind, Kinds, LineSink, LogNames, LogOptions, LogStopped, Off, Recorder,
+    Region, Scene, Settings, Sink, Strategy, Tracer, write_log, write_log_head,
 };
 
 use crate::cli::Error;
@@ -50,17 +49,13 @@ fn trace(mut ready: Ready, args: &TraceArgs) -> Result<(), Error> {
     };
     let out = Output::create(&args.output)?;
     let started = Instant::now();
-    match ready.settings.strategy {
-        StrategyName::Exhaustive => {
-            let strategy = Exhaustive::new(&ready.scene);
-            let times = Times {
-                loading: ready.loading,
-                building: started.elapsed(),
-                ..Times::default()
-            };
-            trace_with(&strategy, &ready, args, &options, out, times)
-        }
-    }
+    let strategy = ready.strategy()?;
+    let times = Times {
+        loading: ready.loading,
+        building: started.elapsed(),
+        ..Times::default()
+    };
+    trace_with(&strategy, &ready, args, &options, out, times)
 }
 
 fn trace_with<S: Strategy>(
@@ -163,7 +158,8 @@ fn filter_again(mut log: Log, args: &TraceArgs, started: Instant) -> Result<(), 
         if let Some(counts) = &mut counts
             && settings
                 .region
-                .is_none_or(|region| region.contains(record.pixel))
+                .zip(record.pixel)
+                .is_none_or(|(region, pixel)| region.contains(pixel))
         {
             counts.add(&record);
         }

@@ -13,8 +13,8 @@ pub fn pixel_json(scene: &Scene, settings: &Settings, records: &[Record]) -> Val
     let mut document = node(&tree.items, &tree, records, &names);
     document.insert("scene".into(), scene.name.clone().into());
     document.insert("settings".into(), json!(settings));
-    if let Some(record) = records.first() {
-        document.insert("pixel".into(), json!(record.pixel));
+    if let Some(pixel) = records.iter().find_map(|record| record.pixel) {
+        document.insert("pixel".into(), json!(pixel));
     }
     Value::Object(document)
 }

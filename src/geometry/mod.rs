@@ -4,6 +4,7 @@
 //! small struct: that struct is the result and, one layer up, the payload of a trace event. Nothing
 //! here does I/O, records or panics on finite input.
 
+mod alignment;
 mod r#box;
 mod cone;
 mod ellipsoid;
@@ -20,6 +21,7 @@ mod smooth_normal;
 mod sphere;
 mod twofold;
 
+pub use alignment::Alignment;
 pub use r#box::{AxisBox, BoxTest};
 pub use cone::Cone;
 pub use ellipsoid::Ellipsoid;

@@ -29,6 +29,10 @@ pub struct Polygon {
 /// with six digits.
 pub(crate) const PLANARITY: f64 = 1e-5;
 
+/// A ray that meets the plane more flatly than 1 in 64 has its t kept to the vertices' extent; one that does
+/// not can meet the plane up to 64 times the vertices' distance from it away from them.
+const FLATTEST: f64 = 64.0;
+
 /// Why a list of vertices is no polygon.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum PolygonError {
@@ -138,6 +142,11 @@ impl Polygon {
     /// The polygon's plane.
     pub fn plane(&self) -> Plane {
         self.plane
+    }
+
+    /// How far a computed hit may lie off the vertices' extent: they are not quite in one plane.
+    pub fn play(&self) -> f64 {
+        self.off_plane * FLATTEST
     }
 
     /// The coordinate that the projection drops: the one whose coefficient in (iv) has the largest

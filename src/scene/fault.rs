@@ -44,6 +44,9 @@ pub enum Fault {
         max: f64,
     },
     BadCone,
+    SlabDirection {
+        in_plane: bool,
+    },
     Polygon(PolygonError),
     UnknownMaterial {
         name: String,
@@ -100,6 +103,9 @@ impl Fault {
             }
             Self::BadCone => {
                 "give two different points and radii of 0 or more, one of them above 0".into()
+            }
+            Self::SlabDirection { .. } => {
+                "give every direction as [A, B, C], or all of a plane as [A, B]".into()
             }
             Self::Polygon(PolygonError::NotPlanar { .. }) => {
                 "divide it into triangles, or correct the vertex".into()
@@ -163,6 +169,14 @@ impl fmt::Display for Fault {
                 )
             }
             Self::BadCone => f.write_str("the cone has no height or no radius"),
+            Self::SlabDirection { in_plane } => {
+                let numbers = if *in_plane {
+                    "2 numbers, as the first"
+                } else {
+                    "3 numbers"
+                };
+                write!(f, "a direction of slabs has {numbers}")
+            }
             Self::Polygon(error) => error.fmt(f),
             Self::UnknownMaterial { name, .. } => write!(f, "there is no material {name:?}"),
             Self::EmptyName => f.write_str("the name is empty"),

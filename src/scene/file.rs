@@ -40,6 +40,15 @@ pub struct SceneFile {
     #[serde(default = "default_depth")]
     #[schemars(range(min = 1, max = 100))]
     pub max_depth: u32,
+    /// The scene's own set of slabs for bounding volumes: their directions, [A, B, C] in space, or all
+    /// [A, B] in the plane of x and y.
+    #[serde(
+        default,
+        skip_serializing_if = "Option::is_none",
+        deserialize_with = "given"
+    )]
+    #[schemars(with = "Vec<Vec<f64>>")]
+    pub slabs: Option<Vec<Vec<f64>>>,
 }
 
 /// The depth of the published statistics.

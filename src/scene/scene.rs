@@ -34,6 +34,8 @@ pub struct Scene {
     pub primitives: Vec<Primitive>,
     /// The largest depth of a ray; an eye ray has depth 1.
     pub max_depth: u32,
+    /// The scene's own set of slabs: their directions (A, B, C).
+    pub slabs: Option<Vec<DVec3>>,
 }
 
 impl Scene {
@@ -57,6 +59,7 @@ impl Scene {
             objects: Vec::with_capacity(file.objects.len()),
             primitives: Vec::with_capacity(file.objects.len()),
             max_depth: file.max_depth,
+            slabs: file.slabs.map(slabs).transpose()?,
         };
         let mut names = Names::default();
         for (i, object) in file.objects.into_iter().enumerate() {
@@ -115,6 +118,10 @@ impl Scene {
             materials: self.materials.clone(),
             objects: Vec::new(),
             max_depth: self.max_depth,
+            slabs: self
+                .slabs
+                .as_ref()
+                .map(|slabs| slabs.iter().map(|n| n.to_array().into()).collect()),
         }
     }
 
@@ -268,6 +275,24 @@ fn lights(files: Vec<LightFile>) -> Result<Vec<Light>, SceneFault> {
         });
     }
     Ok(lights)
+}
+
+/// The directions of slabs; those of a plane with one across it, without which they would not bound.
+fn slabs(file: Vec<Vec<f64>>) -> Result<Vec<DVec3>, SceneFault> {
+    let mut directions = Vec::with_capacity(file.len() + 1);
+    let in_plane = file.first().is_some_and(|direction| direction.len() == 2);
+    for (i, direction) in file.into_iter().enumerate() {
+        let normal = match *direction.as_slice() {
+            [a, b] if in_plane => [a, b, 0.0],
+            [a, b, c] if !in_plane => [a, b, c],
+            _ => return Err(Fault::SlabDirection { in_plane }.at(format!("slabs[{i}]"))),
+        };
+        directions.push(checked_point(&format!("slabs[{i}]"), normal)?);
+    }
+    if in_plane {
+        directions.push(DVec3::Z);
+    }
+    Ok(directions)
 }
 
 fn light_file(light: &Light) -> LightFile {

@@ -1,8 +1,8 @@
 //! Every object, in the order of the scene: the inner loop of Fig. 15.56.
 
-use crate::geometry::{Ray, TRange};
+use crate::geometry::Ray;
 use crate::scene::{PrimitiveId, Scene};
-use crate::strategy::{Hit, NearestSoFar, Strategy, test_primitive};
+use crate::strategy::{Search, Strategy};
 use crate::trace::Recorder;
 
 /// Tests a ray against every object in the scene.
@@ -23,24 +23,11 @@ impl<'a> Exhaustive<'a> {
 
 impl Strategy for Exhaustive<'_> {
     #[inline]
-    fn nearest<R: Recorder>(&self, ray: &Ray, range: TRange, recorder: &mut R) -> Option<Hit> {
-        let mut nearest = NearestSoFar::new(range);
+    fn search<R: Recorder>(&self, ray: &Ray, search: &mut impl Search, recorder: &mut R) {
         for (id, primitive) in (0..).map(PrimitiveId).zip(&self.scene.primitives) {
-            if let Some(t) = test_primitive(id, primitive, ray, nearest.range(), recorder) {
-                nearest.offer(id, t, recorder);
+            if search.test(id, primitive, ray, recorder).is_break() {
+                return;
             }
         }
-        nearest.hit()
-    }
-
-    #[inline]
-    fn any<R: Recorder>(&self, ray: &Ray, range: TRange, recorder: &mut R) -> Option<Hit> {
-        (0..)
-            .map(PrimitiveId)
-            .zip(&self.scene.primitives)
-            .find_map(|(object, primitive)| {
-                let t = test_primitive(object, primitive, ray, range, recorder)?;
-                Some(Hit { object, t })
-            })
     }
 }

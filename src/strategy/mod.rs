@@ -1,11 +1,15 @@
 //! Which objects is a ray tested against? Each strategy gives the same answer at another cost.
 
+mod chosen;
 mod exhaustive;
+mod hierarchy;
 mod nearest;
 mod object_test;
 
+pub use chosen::Chosen;
 pub use exhaustive::Exhaustive;
-pub use nearest::{Hit, NearestSoFar};
+pub use hierarchy::{DepthFirst, HeapOrdered};
+pub use nearest::{AnyHit, Hit, NearestSoFar, Search};
 pub use object_test::test_primitive;
 
 use crate::geometry::{Ray, TRange};
@@ -16,9 +20,32 @@ use crate::trace::Recorder;
 /// Every strategy finds the same object at the same t, bit for bit, as the exhaustive one; of two
 /// objects at equal t the one that comes first in the scene. So nothing is left out at equality.
 pub trait Strategy: Sync {
+    /// Offers every hit that can matter to the search, until that has enough.
+    fn search<R: Recorder>(&self, ray: &Ray, search: &mut impl Search, recorder: &mut R);
+
+    /// Notes how the structure was built; nothing if there is none.
+    fn note_building<R: Recorder>(&self, recorder: &mut R) {
+        let _ = recorder;
+    }
+
+    /// How much memory the structure takes, in bytes.
+    fn bytes(&self) -> usize {
+        0
+    }
+
     /// The nearest hit in the range.
-    fn nearest<R: Recorder>(&self, ray: &Ray, range: TRange, recorder: &mut R) -> Option<Hit>;
+    #[inline]
+    fn nearest<R: Recorder>(&self, ray: &Ray, range: TRange, recorder: &mut R) -> Option<Hit> {
+        let mut nearest = NearestSoFar::new(range);
+        self.search(ray, &mut nearest, recorder);
+        nearest.hit()
+    }
 
     /// Any hit in the range: the first that is found, which ends the search. For shadow rays.
-    fn any<R: Recorder>(&self, ray: &Ray, range: TRange, recorder: &mut R) -> Option<Hit>;
+    #[inline]
+    fn any<R: Recorder>(&self, ray: &Ray, range: TRange, recorder: &mut R) -> Option<Hit> {
+        let mut any = AnyHit::new(range);
+        self.search(ray, &mut any, recorder);
+        any.hit()
+    }
 }

@@ -1,7 +1,10 @@
-//! The nearest hit so far, and the rule for hits at equal t.
+//! What is looked for: the nearest hit, with the rule for hits at equal t, or any hit.
 
-use crate::geometry::TRange;
-use crate::scene::PrimitiveId;
+use std::ops::ControlFlow;
+
+use crate::geometry::{Ray, TRange};
+use crate::scene::{Primitive, PrimitiveId};
+use crate::strategy::test_primitive;
 use crate::trace::{Event, Nearest, Recorder};
 
 /// A hit: which object, and where along the ray.
@@ -11,6 +14,35 @@ pub struct Hit {
     pub object: PrimitiveId,
     /// Where.
     pub t: f64,
+}
+
+/// What a strategy searches for, one object after the other.
+pub trait Search {
+    /// Where a hit still counts.
+    fn range(&self) -> TRange;
+
+    /// Takes a hit within the range; `Break` if no other can matter.
+    fn offer<R: Recorder>(
+        &mut self,
+        object: PrimitiveId,
+        t: f64,
+        recorder: &mut R,
+    ) -> ControlFlow<()>;
+
+    /// Tests an object and takes its hit, if there is one.
+    #[inline]
+    fn test<R: Recorder>(
+        &mut self,
+        object: PrimitiveId,
+        primitive: &Primitive,
+        ray: &Ray,
+        recorder: &mut R,
+    ) -> ControlFlow<()> {
+        match test_primitive(object, primitive, ray, self.range(), recorder) {
+            Some(t) => self.offer(object, t, recorder),
+            None => ControlFlow::Continue(()),
+        }
+    }
 }
 
 /// Keeps the nearest of the hits that are offered: "is intersected and is closest considered thus
@@ -28,21 +60,28 @@ impl NearestSoFar {
         Self { range, hit: None }
     }
 
-    /// Where a hit still counts: up to the nearest so far, equal t included.
-    #[inline]
-    pub fn range(&self) -> TRange {
-        self.range
-    }
-
     /// The nearest so far.
     #[inline]
     pub fn hit(&self) -> Option<Hit> {
         self.hit
     }
+}
 
-    /// Takes a hit within [`NearestSoFar::range`] if it is nearer, or as near and earlier in the scene.
+impl Search for NearestSoFar {
+    /// Up to the nearest so far, equal t included.
     #[inline]
-    pub fn offer<R: Recorder>(&mut self, object: PrimitiveId, t: f64, recorder: &mut R) {
+    fn range(&self) -> TRange {
+        self.range
+    }
+
+    /// Keeps the hit if it is nearer, or as near and earlier in the scene; a still nearer one may follow.
+    #[inline]
+    fn offer<R: Recorder>(
+        &mut self,
+        object: PrimitiveId,
+        t: f64,
+        recorder: &mut R,
+    ) -> ControlFlow<()> {
         let nearer = |known: Hit| t < known.t || (t == known.t && object < known.object);
         if self.hit.is_none_or(nearer) {
             let replaced = self.hit.map(|known| known.object);
@@ -56,6 +95,41 @@ impl NearestSoFar {
             self.hit = Some(Hit { object, t });
             self.range = self.range.up_to(t);
         }
+        ControlFlow::Continue(())
+    }
+}
+
+/// Keeps the first hit that is offered.
+#[derive(Clone, Copy, Debug)]
+pub struct AnyHit {
+    range: TRange,
+    hit: Option<Hit>,
+}
+
+impl AnyHit {
+    /// Nothing hit yet.
+    #[inline]
+    pub fn new(range: TRange) -> Self {
+        Self { range, hit: None }
+    }
+
+    /// The hit that was offered.
+    #[inline]
+    pub fn hit(&self) -> Option<Hit> {
+        self.hit
+    }
+}
+
+impl Search for AnyHit {
+    #[inline]
+    fn range(&self) -> TRange {
+        self.range
+    }
+
+    #[inline]
+    fn offer<R: Recorder>(&mut self, object: PrimitiveId, t: f64, _: &mut R) -> ControlFlow<()> {
+        self.hit = Some(Hit { object, t });
+        ControlFlow::Break(())
     }
 }
 
@@ -69,7 +143,7 @@ mod tests {
         for order in [[1, 2], [2, 1]] {
             let mut nearest = NearestSoFar::new(TRange::FORWARD);
             for id in order {
-                nearest.offer(PrimitiveId(id), 5.0, &mut Off);
+                let _ = nearest.offer(PrimitiveId(id), 5.0, &mut Off);
             }
             let expected = Hit {
                 object: PrimitiveId(1),
@@ -83,7 +157,7 @@ mod tests {
     fn the_range_ends_at_the_nearest_hit() {
         let mut nearest = NearestSoFar::new(TRange::FORWARD);
         for t in [7.0, 4.0, 5.0] {
-            nearest.offer(PrimitiveId(0), t, &mut Off);
+            let _ = nearest.offer(PrimitiveId(0), t, &mut Off);
         }
         assert_eq!(nearest.range().max, 4.0);
     }

@@ -7,9 +7,14 @@
 use glam::{DVec2, DVec3};
 
 use crate::geometry::{
-    BoxTest, EdgeTest, PlaneTest, PolygonTest, QuadraticTest, Ray, Refraction, TRange,
+    Alignment, BoxTest, EdgeTest, PlaneTest, PolygonTest, QuadraticTest, Ray, Refraction, TRange,
 };
 use crate::scene::{PhongTerm, PrimitiveId};
+use crate::structure::{AssignStep, MergeStep};
+use crate::trace::search::{
+    Aligned, BoundTest, CellVisit, GridEnter, GridExit, HitOutsideCell, NodeVisit, QueueStep,
+    SlabTest, ZSort,
+};
 
 /// One step of the working. `Copy` and at most 128 bytes, so that a record of many is one block.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -79,6 +84,42 @@ pub enum Event {
     Shade(Shade),
     /// Snell's law was applied.
     Refraction(Refraction),
+    /// Two volumes were joined while the hierarchy was built (Fig. 15.58(b)).
+    Merge(MergeStep),
+    /// An object was put into a cell's list while the grid was built.
+    Assign(AssignStep),
+    /// A bounding volume was tested. The slabs of a bound come before it.
+    BoundTest(BoundTest),
+    /// One slab of a bound was tested (Fig. 15.58(a)).
+    SlabTest(SlabTest),
+    /// A node of the hierarchy was come to.
+    Node(NodeVisit),
+    /// A node was put into the heap or taken out.
+    Queue(QueueStep),
+    /// A ray came to the grid.
+    GridEnter(GridEnter),
+    /// A ray pierces a cell (Fig. 15.62).
+    Cell(CellVisit),
+    /// An object is on the list of the cell.
+    Listed {
+        /// The object.
+        object: PrimitiveId,
+    },
+    /// The object was tested in an earlier cell: its mailbox holds this ray already.
+    Mailbox {
+        /// The object.
+        object: PrimitiveId,
+    },
+    /// A hit lies beyond the cell (erratum 6).
+    HitOutsideCell(HitOutsideCell),
+    /// The walk through the grid ended.
+    GridExit(GridExit),
+    /// A ray was laid along the z axis.
+    Align(Alignment),
+    /// A point of an object was transformed likewise. All points come before the object's test.
+    Aligned(Aligned),
+    /// A hit has its place in the z sort.
+    ZSort(ZSort),
 }
 
 /// A place on the window.
@@ -246,13 +287,40 @@ pub enum Kind {
     LightTerm,
     Shade,
     Refraction,
+    Merge,
+    Assign,
+    BoundTest,
+    SlabTest,
+    Node,
+    Queue,
+    GridEnter,
+    Cell,
+    Listed,
+    Mailbox,
+    HitOutsideCell,
+    GridExit,
+    Align,
+    Aligned,
+    ZSort,
 }
 
 impl Kind {
     /// All kinds, in the order in which a ray meets them.
-    pub const ALL: [Self; 15] = [
+    pub const ALL: [Self; 30] = [
+        Self::Merge,
+        Self::Assign,
         Self::Pixel,
         Self::Ray,
+        Self::Align,
+        Self::GridEnter,
+        Self::Queue,
+        Self::SlabTest,
+        Self::BoundTest,
+        Self::Node,
+        Self::Cell,
+        Self::Listed,
+        Self::Mailbox,
+        Self::Aligned,
         Self::SphereTest,
         Self::EllipsoidTest,
         Self::ConeTest,
@@ -261,6 +329,9 @@ impl Kind {
         Self::Edge,
         Self::PolygonTest,
         Self::Nearest,
+        Self::HitOutsideCell,
+        Self::GridExit,
+        Self::ZSort,
         Self::LightTerm,
         Self::Refraction,
         Self::Shade,
@@ -286,7 +357,27 @@ impl Kind {
             Self::LightTerm => "light_term",
             Self::Shade => "shade",
             Self::Refraction => "refraction",
+            Self::Merge => "merge",
+            Self::Assign => "assign",
+            Self::BoundTest => "bound_test",
+            Self::SlabTest => "slab_test",
+            Self::Node => "node",
+            Self::Queue => "queue",
+            Self::GridEnter => "grid_enter",
+            Self::Cell => "cell",
+            Self::Listed => "listed",
+            Self::Mailbox => "mailbox",
+            Self::HitOutsideCell => "hit_outside_cell",
+            Self::GridExit => "grid_exit",
+            Self::Align => "align",
+            Self::Aligned => "aligned",
+            Self::ZSort => "z_sort",
         }
+    }
+
+    /// Does it happen while a structure is built, before the first pixel?
+    pub const fn is_of_building(self) -> bool {
+        matches!(self, Self::Merge | Self::Assign)
     }
 
     /// The kind with a name of the log.
@@ -334,6 +425,21 @@ impl Kind {
             Self::LightTerm => Event::LightTerm(LightTerm::default()),
             Self::Shade => Event::Shade(Shade::default()),
             Self::Refraction => Event::Refraction(Refraction::default()),
+            Self::Merge => Event::Merge(MergeStep::default()),
+            Self::Assign => Event::Assign(AssignStep::default()),
+            Self::BoundTest => Event::BoundTest(BoundTest::default()),
+            Self::SlabTest => Event::SlabTest(SlabTest::default()),
+            Self::Node => Event::Node(NodeVisit::default()),
+            Self::Queue => Event::Queue(QueueStep::default()),
+            Self::GridEnter => Event::GridEnter(GridEnter::default()),
+            Self::Cell => Event::Cell(CellVisit::default()),
+            Self::Listed => Event::Listed { object },
+            Self::Mailbox => Event::Mailbox { object },
+            Self::HitOutsideCell => Event::HitOutsideCell(HitOutsideCell::default()),
+            Self::GridExit => Event::GridExit(GridExit::default()),
+            Self::Align => Event::Align(Alignment::default()),
+            Self::Aligned => Event::Aligned(Aligned::default()),
+            Self::ZSort => Event::ZSort(ZSort::default()),
         }
     }
 }
@@ -358,6 +464,21 @@ impl Event {
             Self::LightTerm(_) => Kind::LightTerm,
             Self::Shade(_) => Kind::Shade,
             Self::Refraction(_) => Kind::Refraction,
+            Self::Merge(_) => Kind::Merge,
+            Self::Assign(_) => Kind::Assign,
+            Self::BoundTest(_) => Kind::BoundTest,
+            Self::SlabTest(_) => Kind::SlabTest,
+            Self::Node(_) => Kind::Node,
+            Self::Queue(_) => Kind::Queue,
+            Self::GridEnter(_) => Kind::GridEnter,
+            Self::Cell(_) => Kind::Cell,
+            Self::Listed { .. } => Kind::Listed,
+            Self::Mailbox { .. } => Kind::Mailbox,
+            Self::HitOutsideCell(_) => Kind::HitOutsideCell,
+            Self::GridExit(_) => Kind::GridExit,
+            Self::Align(_) => Kind::Align,
+            Self::Aligned(_) => Kind::Aligned,
+            Self::ZSort(_) => Kind::ZSort,
         }
     }
 

@@ -38,6 +38,9 @@ pub(super) trait Visitor {
         required: bool,
     );
 
+    /// An object of the scene by its name, a mesh as a whole.
+    fn whole_object(&mut self, key: &'static str, meaning: &'static str, value: &mut Option<u32>);
+
     /// A light by its name.
     fn light(&mut self, meaning: &'static str, value: &mut Option<u32>, required: bool);
 
@@ -146,6 +149,31 @@ where
 
     fn schema() -> Value {
         json!({ "type": "array", "items": { "type": "number" }, "minItems": N, "maxItems": N })
+    }
+}
+
+impl Field for [u32; 3] {
+    fn write(&self, line: &mut Vec<u8>) -> bool {
+        for (i, value) in self.iter().enumerate() {
+            line.push(if i == 0 { b'[' } else { b',' });
+            value.write(line);
+        }
+        line.push(b']');
+        true
+    }
+
+    fn read(json: &Json<'_>) -> Result<Self, String> {
+        let expected = || "a list of 3 whole numbers of 0 or more".to_string();
+        let values = <[f64; 3]>::read(json).map_err(|_| expected())?;
+        let mut whole = [0; 3];
+        for (to, value) in whole.iter_mut().zip(values) {
+            *to = u32::read(&Json::Number(value)).map_err(|_| expected())?;
+        }
+        Ok(whole)
+    }
+
+    fn schema() -> Value {
+        json!({ "type": "array", "items": u32::schema(), "minItems": 3, "maxItems": 3 })
     }
 }
 

@@ -112,7 +112,8 @@ impl<S: Sink> Sink for Filter<S> {
     fn record(&mut self, record: &Record) {
         let inside = self
             .region
-            .is_none_or(|region| region.contains(record.pixel));
+            .zip(record.pixel)
+            .is_none_or(|(region, pixel)| region.contains(pixel));
         if inside && self.kinds.contains(record.event.kind()) {
             self.sink.record(record);
         }
@@ -148,7 +149,7 @@ mod tests {
 
     fn record(kind: Kind, pixel: [u32; 2]) -> Record {
         Record {
-            pixel,
+            pixel: Some(pixel),
             step: 0,
             ray: None,
             parent: None,
@@ -177,7 +178,10 @@ mod tests {
             .iter()
             .map(|r| (r.event.kind(), r.pixel))
             .collect();
-        assert_eq!(kept, [(Kind::Ray, [1, 1]), (Kind::Shade, [2, 3])]);
+        assert_eq!(
+            kept,
+            [(Kind::Ray, Some([1, 1])), (Kind::Shade, Some([2, 3]))]
+        );
     }
 
     #[test]

@@ -27,6 +27,22 @@ impl Fields for Event {
             Self::LightTerm(light) => light.fields(visitor),
             Self::Shade(shade) => shade.fields(visitor),
             Self::Refraction(refraction) => refraction.fields(visitor),
+            Self::Merge(step) => step.fields(visitor),
+            Self::Assign(step) => step.fields(visitor),
+            Self::BoundTest(step) => step.fields(visitor),
+            Self::SlabTest(step) => step.fields(visitor),
+            Self::Node(step) => step.fields(visitor),
+            Self::Queue(step) => step.fields(visitor),
+            Self::GridEnter(step) => step.fields(visitor),
+            Self::Cell(step) => step.fields(visitor),
+            Self::HitOutsideCell(step) => step.fields(visitor),
+            Self::GridExit(step) => step.fields(visitor),
+            Self::Align(step) => step.fields(visitor),
+            Self::Aligned(step) => step.fields(visitor),
+            Self::ZSort(step) => step.fields(visitor),
+            Self::Listed { object } | Self::Mailbox { object } => {
+                object_field(object, "the object", visitor);
+            }
         }
     }
 }
@@ -38,7 +54,7 @@ fn tested<V: Visitor>(object: &mut PrimitiveId, test: &mut impl Fields, v: &mut 
     test.fields(v);
 }
 
-fn object_field<V: Visitor>(object: &mut PrimitiveId, meaning: &'static str, v: &mut V) {
+pub(super) fn object_field<V: Visitor>(object: &mut PrimitiveId, meaning: &'static str, v: &mut V) {
     let mut some = Some(*object);
     v.object(["object", "face"], meaning, &mut some, true);
     *object = some.unwrap_or_default();
@@ -197,6 +213,34 @@ pub(super) enum Parallel {
     Outside,
 }
 
+/// Where a ray is inside a slab: whether it is parallel, and if not, near and far.
+pub(super) fn slab_interval<V: Visitor>(
+    slab: &mut SlabInterval,
+    [kind, near, far]: [&'static str; 3],
+    v: &mut V,
+) {
+    let (mut parallel, mut interval) = match *slab {
+        SlabInterval::Between { near, far } => (Parallel::No, Some((near, far))),
+        SlabInterval::ParallelInside => (Parallel::Inside, None),
+        SlabInterval::ParallelOutside => (Parallel::Outside, None),
+    };
+    v.field(
+        kind,
+        "is the ray parallel to the slab, inside it or outside",
+        &mut parallel,
+    );
+    let (mut t_near, mut t_far) = interval.unzip();
+    v.optional(near, "t of the slab's near plane", &mut t_near);
+    v.optional(far, "t of the slab's far plane", &mut t_far);
+    interval = t_near.zip(t_far);
+    *slab = match (parallel, interval) {
+        (Parallel::No, Some((near, far))) => SlabInterval::Between { near, far },
+        (Parallel::Inside, None) => SlabInterval::ParallelInside,
+        (Parallel::Outside, None) => SlabInterval::ParallelOutside,
+        _ => return v.fail("a slab has near and far unless the ray is parallel to it"),
+    };
+}
+
 impl Fields for BoxTest {
     fn fields<V: Visitor>(&mut self, v: &mut V) {
         const KEYS: [[&str; 3]; 3] = [
@@ -204,27 +248,8 @@ impl Fields for BoxTest {
             ["y", "y_near", "y_far"],
             ["z", "z_near", "z_far"],
         ];
-        for (slab, [kind, near, far]) in self.slabs.iter_mut().zip(KEYS) {
-            let (mut parallel, mut interval) = match *slab {
-                SlabInterval::Between { near, far } => (Parallel::No, Some((near, far))),
-                SlabInterval::ParallelInside => (Parallel::Inside, None),
-                SlabInterval::ParallelOutside => (Parallel::Outside, None),
-            };
-            v.field(
-                kind,
-                "is the ray parallel to the slab, inside it or outside",
-                &mut parallel,
-            );
-            let (mut t_near, mut t_far) = interval.unzip();
-            v.optional(near, "t of the slab's near plane", &mut t_near);
-            v.optional(far, "t of the slab's far plane", &mut t_far);
-            interval = t_near.zip(t_far);
-            *slab = match (parallel, interval) {
-                (Parallel::No, Some((near, far))) => SlabInterval::Between { near, far },
-                (Parallel::Inside, None) => SlabInterval::ParallelInside,
-                (Parallel::Outside, None) => SlabInterval::ParallelOutside,
-                _ => return v.fail("a slab has near and far unless the ray is parallel to it"),
-            };
+        for (slab, keys) in self.slabs.iter_mut().zip(KEYS) {
+            slab_interval(slab, keys, v);
         }
         self.roots.fields(v);
     }

@@ -48,6 +48,8 @@ impl Damage {
 pub(super) struct NameTable {
     /// For each object its first primitive, how many it has, and whether they are faces of a mesh.
     objects: HashMap<String, (u32, u32, bool)>,
+    /// For each object its place in the scene.
+    places: HashMap<String, u32>,
     lights: HashMap<String, u32>,
 }
 
@@ -59,6 +61,10 @@ impl NameTable {
         Self {
             objects: objects
                 .map(|o| (o.name.clone(), (o.first.0, o.count, o.is_mesh)))
+                .collect(),
+            places: (0..)
+                .zip(&scene.objects)
+                .map(|(place, o)| (o.name.clone(), place))
                 .collect(),
             lights: lights.map(|(i, l)| (l.name.clone(), i as u32)).collect(),
         }
@@ -88,7 +94,7 @@ pub(super) fn parse_event(line: &[u8], names: &NameTable) -> Result<Record, Dama
         damage: None,
     };
     let mut record = Record {
-        pixel: [0, 0],
+        pixel: None,
         step: 0,
         ray: None,
         parent: None,
@@ -96,12 +102,16 @@ pub(super) fn parse_event(line: &[u8], names: &NameTable) -> Result<Record, Dama
     };
     reader.fields.take("kind");
     reader.field("step", "", &mut record.step);
-    let mut pixel = [0.0; 2];
-    reader.field("pixel", "", &mut pixel);
-    for (side, value) in record.pixel.iter_mut().zip(pixel) {
-        *side = reader
-            .expect("pixel", u32::read(&Json::Number(value)))
-            .unwrap_or_default();
+    if !kind.is_of_building() {
+        let mut place = [0.0; 2];
+        reader.field("pixel", "", &mut place);
+        let mut pixel = [0; 2];
+        for (side, value) in pixel.iter_mut().zip(place) {
+            *side = reader
+                .expect("pixel", u32::read(&Json::Number(value)))
+                .unwrap_or_default();
+        }
+        record.pixel = Some(pixel);
     }
     reader.optional("ray", "", &mut record.ray);
     if let Event::Ray(_) = record.event {
@@ -109,7 +119,7 @@ pub(super) fn parse_event(line: &[u8], names: &NameTable) -> Result<Record, Dama
     }
     record.event.fields(&mut reader);
     if let Event::Pixel(sample) = &mut record.event {
-        sample.pixel = record.pixel;
+        sample.pixel = record.pixel.unwrap_or_default();
     }
     reader.finish(kind)?;
     Ok(record)
@@ -192,6 +202,21 @@ impl Visitor for LineReader<'_> {
             Some(face) if is_mesh && face < count => *value = Some(PrimitiveId(first + face)),
             None if !is_mesh => *value = Some(PrimitiveId(first)),
             _ => self.wrong(format!("{face_key:?} does not fit the object {name:?}")),
+        }
+    }
+
+    fn whole_object(&mut self, key: &'static str, _: &'static str, value: &mut Option<u32>) {
+        *value = None;
+        match self.fields.take(key) {
+            Some(Json::Text(name)) => match self.names.places.get(&**name) {
+                Some(&place) => *value = Some(place),
+                None => {
+                    let what = format!("there is no object {name:?}");
+                    self.wrong(what);
+                }
+            },
+            Some(_) => self.wrong(format!("{key:?} must be a string")),
+            None => {}
         }
     }
 

@@ -49,6 +49,7 @@ impl<R: BufRead> LogReader<R> {
             materials: header.materials,
             objects,
             max_depth: header.max_depth,
+            slabs: header.slabs,
         })
         .map_err(|fault| LogError::Scene {
             file: file.into(),
@@ -119,7 +120,7 @@ impl<R: BufRead> LogReader<R> {
     pub fn pixel(mut self, pixel: [u32; 2]) -> Result<(Scene, Settings, Vec<Record>), LogError> {
         let mut records = Vec::new();
         while let Some(record) = self.next_record()? {
-            if record.pixel == pixel {
+            if record.pixel.is_none_or(|of| of == pixel) {
                 records.push(record);
             }
         }
@@ -243,10 +244,11 @@ fn read_objects(lines: &mut Lines<impl BufRead>) -> Result<(Vec<ObjectFile>, boo
 /// A whole log has every event in its place; a line that was lost, moved or changed shows by its numbers.
 fn out_of_place(found: &Record, expected: &Record) -> Result<(), Damage> {
     let what = if found.pixel != expected.pixel || found.step != expected.step {
-        let ([x, y], step) = (expected.pixel, expected.step);
-        format!(
-            "step {step} of pixel [{x},{y}] was to follow: a line is missing or out of its place"
-        )
+        let step = expected.step;
+        let of = expected
+            .pixel
+            .map_or(String::new(), |[x, y]| format!(" of pixel [{x},{y}]"));
+        format!("step {step}{of} was to follow: a line is missing or out of its place")
     } else if found.ray != expected.ray || found.parent != expected.parent {
         "\"ray\" or \"parent\" does not fit the rays before it".into()
     } else if found.event != expected.event {

@@ -37,6 +37,9 @@ pub(super) struct Header {
     pub(super) materials: Materials,
     /// The largest depth of a ray.
     pub(super) max_depth: u32,
+    /// The scene's own set of slabs.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub(super) slabs: Option<Vec<Vec<f64>>>,
 }
 
 /// A line that describes an object, its mesh inlined.
@@ -70,6 +73,7 @@ pub fn write_log_head(scene: &Scene, settings: &Settings, out: &mut impl Write) 
         materials,
         objects: _,
         max_depth,
+        slabs,
     } = scene.head();
     let header = Header {
         kind: "trace".into(),
@@ -82,6 +86,7 @@ pub fn write_log_head(scene: &Scene, settings: &Settings, out: &mut impl Write) 
         lights,
         materials,
         max_depth,
+        slabs,
     };
     write_line(&header, out)?;
     for object in &scene.objects {
@@ -174,11 +179,14 @@ pub(crate) fn write_event(record: &Record, names: &LogNames, line: &mut Vec<u8>)
     line.extend_from_slice(record.event.kind().name().as_bytes());
     line.extend_from_slice(b"\",\"step\":");
     record.step.write(line);
-    line.extend_from_slice(b",\"pixel\":[");
-    record.pixel[0].write(line);
-    line.push(b',');
-    record.pixel[1].write(line);
-    line.push(b']');
+    // what is built is built before the first pixel
+    if let Some([x, y]) = record.pixel {
+        line.extend_from_slice(b",\"pixel\":[");
+        x.write(line);
+        line.push(b',');
+        y.write(line);
+        line.push(b']');
+    }
     let mut writer = LineWriter { names, line };
     writer.optional("ray", "", &mut { record.ray });
     if matches!(record.event, Event::Ray(_)) {
@@ -240,6 +248,14 @@ impl Visitor for LineWriter<'_> {
             let quoted = &self.names.objects[object as usize];
             self.line.extend_from_slice(quoted.as_bytes());
             self.optional(face, "", &mut { number });
+        }
+    }
+
+    fn whole_object(&mut self, key: &'static str, _: &'static str, value: &mut Option<u32>) {
+        if let Some(object) = value {
+            self.key(key);
+            let quoted = &self.names.objects[*object as usize];
+            self.line.extend_from_slice(quoted.as_bytes());
         }
     }
 

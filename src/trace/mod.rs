@@ -13,6 +13,8 @@ mod log_writer;
 mod ray_tree;
 mod recorder;
 mod schema;
+mod search;
+mod search_kinds;
 mod settings;
 mod words;
 
@@ -30,4 +32,8 @@ pub use ray_tree::{Item, RayNode, RayTree};
 use recorder::Numbering;
 pub use recorder::{Off, Record, Recorder, Recording, Sink};
 pub use schema::{scene_schema, trace_schema};
+pub use search::{
+    Aligned, AlignedPart, BoundOutcome, BoundTest, Bounded, CellVisit, GridEnter, GridExit,
+    HitOutsideCell, NodeOutcome, NodeVisit, QueueAction, QueueStep, SlabTest, WalkEnd, ZSort,
+};
 pub use settings::{Settings, StrategyName, Through, Transport};

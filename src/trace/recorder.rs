@@ -51,8 +51,8 @@ impl<A: Recorder, B: Recorder> Recorder for (A, B) {
 /// An event with its place in the pixel's trace.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Record {
-    /// Column and row of the pixel.
-    pub pixel: [u32; 2],
+    /// Column and row of the pixel; `None` while a structure is built, before the first one.
+    pub pixel: Option<[u32; 2]>,
     /// The number of the event in the pixel, from 0.
     pub step: u32,
     /// The ray it belongs to, numbered in the order of their starts from 0; `None` for the pixel's own.
@@ -89,7 +89,7 @@ impl<S: Sink> Sink for &mut S {
 /// from it. So the ray that an event belongs to is the last one started and not ended.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Numbering {
-    pixel: [u32; 2],
+    pixel: Option<[u32; 2]>,
     step: u32,
     rays: u32,
     open: Vec<OpenRay>,
@@ -110,7 +110,7 @@ impl Numbering {
         match &mut event {
             // numbers start again with each pixel
             Event::Pixel(start) if start.sample == 0 => {
-                self.pixel = start.pixel;
+                self.pixel = Some(start.pixel);
                 self.step = 0;
                 self.rays = 0;
                 self.open.clear();
@@ -291,7 +291,7 @@ mod tests {
                 .enumerate()
                 .all(|(i, r)| r.step as usize == i)
         );
-        assert!(records.iter().all(|r| r.pixel == [3, 0]));
+        assert!(records.iter().all(|r| r.pixel == Some([3, 0])));
     }
 
     #[test]
@@ -300,7 +300,7 @@ mod tests {
         let again = &records[3..];
         assert_eq!(again.iter().map(|r| r.step).collect::<Vec<_>>(), [0, 1, 2]);
         assert_eq!(again[1].ray, Some(0));
-        assert_eq!(again[1].pixel, [1, 0]);
+        assert_eq!(again[1].pixel, Some([1, 0]));
     }
 
     #[test]

@@ -85,9 +85,12 @@ fn described(kind: Kind) -> Description {
     let pair = json!({
         "type": "array", "items": u32::schema(), "minItems": 2, "maxItems": 2
     });
-    description.add("pixel", "column and row from the top left", pair, true);
+    let built = kind.is_of_building();
+    if !built {
+        description.add("pixel", "column and row from the top left", pair, true);
+    }
     let mut ray = Some(0_u32);
-    if !matches!(kind, Kind::Pixel | Kind::PixelColour) {
+    if !(built || matches!(kind, Kind::Pixel | Kind::PixelColour)) {
         description.optional("ray", "the ray, numbered in the pixel from 0", &mut ray);
     }
     let mut event = kind.blank();
@@ -134,6 +137,10 @@ impl Visitor for Description {
         self.add(name, meaning, json!({ "type": "string" }), required);
         let number = "the number of the face, if the object is a mesh";
         self.add(face, number, u32::schema(), false);
+    }
+
+    fn whole_object(&mut self, key: &'static str, meaning: &'static str, _: &mut Option<u32>) {
+        self.add(key, meaning, json!({ "type": "string" }), false);
     }
 
     fn light(&mut self, meaning: &'static str, _: &mut Option<u32>, required: bool) {

@@ -3,14 +3,21 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use crate::structure::StructureOptions;
 use crate::trace::Region;
 
 /// The choices that a trace depends on.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Settings {
     /// Which objects each ray is tested against.
     pub strategy: StrategyName,
+    /// What was chosen about its structure; absent: nothing.
+    #[serde(default, skip_serializing_if = "is_default")]
+    pub structure: StructureOptions,
+    /// Was the building of the structure recorded?
+    #[serde(default, skip_serializing_if = "is_default")]
+    pub building: bool,
     /// Which rays are cast at all.
     pub transport: Transport,
     /// Where the eye rays pass a pixel.
@@ -29,6 +36,8 @@ impl Default for Settings {
     fn default() -> Self {
         Self {
             strategy: StrategyName::Exhaustive,
+            structure: StructureOptions::default(),
+            building: false,
             transport: Transport::HybridLight,
             through: Through::Centres,
             one_sided: false,
@@ -47,6 +56,16 @@ pub enum StrategyName {
     /// Every object, as in Fig. 15.56.
     #[default]
     Exhaustive,
+    /// Every object whose bounding volume is met.
+    Bounds,
+    /// A hierarchy of bounding volumes, walked depth first.
+    Hierarchy,
+    /// A hierarchy of bounding volumes, walked in the order of distance.
+    Heap,
+    /// The cells of a uniform grid, one after the other along the ray.
+    Grid,
+    /// Every object, in a frame in which the ray is the z axis.
+    ZAligned,
 }
 
 /// Which kind of ray tracing, of the slides' five.
@@ -74,4 +93,8 @@ pub enum Through {
     /// Four rays through its corners, of which the pixel is the mean. A picture shares them:
     /// (width + 1) × (height + 1) in all.
     Corners,
+}
+
+fn is_default<T: Default + PartialEq>(value: &T) -> bool {
+    *value == T::default()
 }

@@ -1,9 +1,12 @@
 //! The words of the log for each value of an enum.
 
 use crate::geometry::{Axis, DecidedBy, Fate};
+use crate::structure::{Across, Share, SlabOutcome, VolumeKind};
 use crate::trace::fields::Word;
 use crate::trace::kinds::{Parallel, RootCount, ToPlane};
-use crate::trace::{Outcome, Purpose, Visibility};
+use crate::trace::{
+    AlignedPart, BoundOutcome, NodeOutcome, Outcome, Purpose, QueueAction, Visibility, WalkEnd,
+};
 
 /// Gives each value of an enum its word.
 macro_rules! words {
@@ -46,4 +49,33 @@ words!(Visibility {
     Shadowed = "shadowed",
     FacesAway = "faces_away",
     NotTested = "not_tested",
+});
+words!(VolumeKind { Sphere = "sphere", Ellipsoid = "ellipsoid", Box = "box", Slabs = "slabs" });
+words!(BoundOutcome { Hit = "hit", Missed = "missed", Behind = "behind", Beyond = "beyond" });
+words!(SlabOutcome {
+    GoesOn = "goes_on",
+    Null = "null",
+    ParallelInside = "parallel_inside",
+    ParallelOutside = "parallel_outside",
+});
+words!(NodeOutcome { Entered = "entered", Rejected = "rejected", Pruned = "pruned" });
+words!(QueueAction { Push = "push", Pop = "pop", Stop = "stop" });
+words!(Share { Whole = "whole", Part = "part" });
+words!(Across {
+    None = "none",
+    X = "x",
+    Y = "y",
+    Z = "z",
+    XY = "xy",
+    XZ = "xz",
+    YZ = "yz",
+    XYZ = "xyz",
+});
+words!(WalkEnd { Left = "left", HitInCell = "hit_in_cell", Outside = "outside" });
+words!(AlignedPart {
+    Center = "center",
+    HalfAxis = "half_axis",
+    Vertex = "vertex",
+    Base = "base",
+    Apex = "apex",
 });

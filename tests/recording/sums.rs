@@ -126,7 +126,7 @@ pub(super) fn check_pixel(scene: &Scene, pixel: [u32; 2], records: &[Record]) {
         eye_colours: Vec::new(),
     };
     for (step, record) in (0..).zip(records) {
-        assert_eq!((record.pixel, record.step), (pixel, step));
+        assert_eq!((record.pixel, record.step), (Some(pixel), step));
         walk.record(record);
     }
     assert!(walk.open.is_empty(), "a ray has no end");

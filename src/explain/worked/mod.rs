@@ -9,6 +9,7 @@ mod misses;
 mod polygon;
 mod quadratic;
 mod ray;
+mod search;
 mod shade;
 mod slabs;
 mod steps;
@@ -110,8 +111,7 @@ impl Solution<'_> {
     fn title(&mut self) {
         let [width, height] = self.scene.camera.pixels;
         let mut title = String::from("Pixel");
-        if let Some(record) = self.records.first() {
-            let [x, y] = record.pixel;
+        if let Some([x, y]) = self.records.iter().find_map(|record| record.pixel) {
             title = format!("Pixel ({x}, {y})");
         }
         if !self.scene.name.is_empty() {

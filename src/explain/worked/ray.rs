@@ -82,6 +82,8 @@ impl Solution<'_> {
                     self.arrive(&mut course);
                     self.shade(shade);
                 }
+                Step::Search(event) => self.search(event, &course),
+                Step::Nearest(hit) => self.nearest(*hit, &mut course),
             }
         }
         if let Some(end) = node.end {
@@ -211,17 +213,7 @@ impl Solution<'_> {
             .start
             .is_some_and(|start| start.purpose == Purpose::Shadow);
         if let Some(hit) = nearest {
-            if self.shows(Kind::Nearest) {
-                let text = match hit.replaced {
-                    None => "→ the nearest hit so far".into(),
-                    Some(old) => {
-                        format!("→ nearer than {}: the nearest hit so far", self.name(old))
-                    }
-                };
-                self.page.indented(|page| page.line(Tone::Found, text));
-            }
-            course.nearest = Some(hit.t);
-            course.nearest_object = Some(hit.object);
+            self.nearest(hit, course);
         } else if let Some(first) = course.nearest_object
             && test.hit().is_some()
             && !shadow
@@ -231,6 +223,21 @@ impl Solution<'_> {
             let text = format!("→ as near as {first}, which comes first in the scene and stays");
             self.page.indented(|page| page.line(Tone::Refused, text));
         }
+    }
+
+    /// A hit became the nearest.
+    fn nearest(&mut self, hit: Nearest, course: &mut Course) {
+        if self.shows(Kind::Nearest) {
+            let text = match hit.replaced {
+                None => "→ the nearest hit so far".into(),
+                Some(old) => {
+                    format!("→ nearer than {}: the nearest hit so far", self.name(old))
+                }
+            };
+            self.page.indented(|page| page.line(Tone::Found, text));
+        }
+        course.nearest = Some(hit.t);
+        course.nearest_object = Some(hit.object);
     }
 
     fn shows_test(&self, test: &Test) -> bool {

@@ -36,6 +36,10 @@ pub(super) enum Step {
     Light(LightTerm),
     Refraction(Refraction),
     Shade(Shade),
+    /// A step of the search: a bound, a node, a cell, an alignment.
+    Search(Event),
+    /// A hit became the nearest apart from its test.
+    Nearest(Nearest),
 }
 
 /// The working of one object's test.
@@ -110,16 +114,36 @@ fn add(event: &Event, steps: &mut Vec<Step>) {
             return polygon_of(object, steps, |_, inside| *inside = Some(test));
         }
         Event::Nearest(hit) => {
-            if let Some(Step::Test { nearest, .. }) = steps.last_mut() {
-                *nearest = Some(hit);
+            // a z sort finds the nearest after all tests
+            match steps.last_mut() {
+                Some(Step::Test { nearest, .. }) => *nearest = Some(hit),
+                _ => steps.push(Step::Nearest(hit)),
             }
             return;
         }
         Event::LightTerm(light) => Step::Light(light),
         Event::Refraction(refraction) => Step::Refraction(refraction),
         Event::Shade(shade) => Step::Shade(shade),
-        // the pixel's own, and the ray's start and end
-        Event::Pixel(_) | Event::PixelColour(_) | Event::Ray(_) | Event::RayEnd(_) => return,
+        // the pixel's own, the building before it, and the ray's start and end
+        Event::Pixel(_)
+        | Event::PixelColour(_)
+        | Event::Merge(_)
+        | Event::Assign(_)
+        | Event::Ray(_)
+        | Event::RayEnd(_) => return,
+        Event::BoundTest(_)
+        | Event::SlabTest(_)
+        | Event::Node(_)
+        | Event::Queue(_)
+        | Event::GridEnter(_)
+        | Event::Cell(_)
+        | Event::Listed { .. }
+        | Event::Mailbox { .. }
+        | Event::HitOutsideCell(_)
+        | Event::GridExit(_)
+        | Event::Align(_)
+        | Event::Aligned(_)
+        | Event::ZSort(_) => Step::Search(*event),
     };
     steps.push(step);
 }

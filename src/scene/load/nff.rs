@@ -36,6 +36,7 @@ pub(super) fn read_nff(file: &str, text: &str) -> Result<Loaded, LoadError> {
             materials: Materials::default(),
             objects: Vec::new(),
             max_depth: 5,
+            slabs: None,
         },
         material: None,
         kinds: HashMap::new(),

@@ -49,6 +49,7 @@ pub(in crate::scene::load) fn read_obj_scene(file: &str, text: &str) -> Result<L
             materials: Materials(vec![("grey".into(), material)]),
             objects: vec![object],
             max_depth: 5,
+            slabs: None,
         },
         notes,
         source: Source {

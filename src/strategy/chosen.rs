@@ -1,0 +1,95 @@
+//! The strategy that was asked for by name: the one place that knows them all.
+
+use crate::geometry::Ray;
+use crate::scene::Scene;
+use crate::strategy::{DepthFirst, Exhaustive, HeapOrdered, Search, Strategy};
+use crate::structure::{MOST_SLABS, SlabChoice, SlabSet, StructureError, StructureOptions};
+use crate::trace::{Recorder, StrategyName};
+
+/// One of the strategies, with its structure built. Which one is asked once for each ray.
+#[derive(Clone, Debug)]
+pub enum Chosen<'a> {
+    /// Every object.
+    Exhaustive(Exhaustive<'a>),
+    /// A hierarchy of boxes.
+    Hierarchy3(DepthFirst<'a, 3>),
+    /// A hierarchy with the seven slabs of Kay and Kajiya.
+    Hierarchy7(DepthFirst<'a, 7>),
+    /// A hierarchy with the scene's own slabs.
+    HierarchyOwn(Box<DepthFirst<'a, MOST_SLABS>>),
+    /// The same, walked by a heap.
+    Heap3(HeapOrdered<'a, 3>),
+    /// The same, walked by a heap.
+    Heap7(HeapOrdered<'a, 7>),
+    /// The same, walked by a heap.
+    HeapOwn(Box<HeapOrdered<'a, MOST_SLABS>>),
+}
+
+impl<'a> Chosen<'a> {
+    /// Builds what the strategy needs.
+    ///
+    /// # Errors
+    /// Options that do not fit the scene.
+    pub fn new(
+        scene: &'a Scene,
+        name: StrategyName,
+        options: &StructureOptions,
+    ) -> Result<Self, StructureError> {
+        let build = options.build;
+        let own = || {
+            SlabSet::of(scene.slabs.as_ref().ok_or(StructureError::NoSlabs)?)
+                .map_err(StructureError::Slabs)
+        };
+        Ok(match (name, options.slabs) {
+            (StrategyName::Exhaustive, _) => Self::Exhaustive(Exhaustive::new(scene)),
+            (StrategyName::Hierarchy, SlabChoice::Axes) => {
+                Self::Hierarchy3(DepthFirst::new(scene, &SlabSet::AXES, build))
+            }
+            (StrategyName::Hierarchy, SlabChoice::Seven) => {
+                Self::Hierarchy7(DepthFirst::new(scene, &SlabSet::SEVEN, build))
+            }
+            (StrategyName::Hierarchy, SlabChoice::Scene) => {
+                Self::HierarchyOwn(Box::new(DepthFirst::new(scene, &own()?, build)))
+            }
+            (StrategyName::Heap, SlabChoice::Axes) => {
+                Self::Heap3(HeapOrdered::new(scene, &SlabSet::AXES, build))
+            }
+            (StrategyName::Heap, SlabChoice::Seven) => {
+                Self::Heap7(HeapOrdered::new(scene, &SlabSet::SEVEN, build))
+            }
+            (StrategyName::Heap, SlabChoice::Scene) => {
+                Self::HeapOwn(Box::new(HeapOrdered::new(scene, &own()?, build)))
+            }
+            _ => Self::Exhaustive(Exhaustive::new(scene)),
+        })
+    }
+}
+
+/// Does the same with whichever strategy it is.
+macro_rules! whichever {
+    ($chosen:expr, $strategy:ident => $work:expr) => {
+        match $chosen {
+            Chosen::Exhaustive($strategy) => $work,
+            Chosen::Hierarchy3($strategy) => $work,
+            Chosen::Hierarchy7($strategy) => $work,
+            Chosen::HierarchyOwn($strategy) => $work,
+            Chosen::Heap3($strategy) => $work,
+            Chosen::Heap7($strategy) => $work,
+            Chosen::HeapOwn($strategy) => $work,
+        }
+    };
+}
+
+impl Strategy for Chosen<'_> {
+    fn search<R: Recorder>(&self, ray: &Ray, search: &mut impl Search, recorder: &mut R) {
+        whichever!(self, strategy => strategy.search(ray, search, recorder));
+    }
+
+    fn note_building<R: Recorder>(&self, recorder: &mut R) {
+        whichever!(self, strategy => strategy.note_building(recorder));
+    }
+
+    fn bytes(&self) -> usize {
+        whichever!(self, strategy => strategy.bytes())
+    }
+}

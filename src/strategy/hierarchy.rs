@@ -1,0 +1,327 @@
+//! Hierarchies: a child is looked at only if the ray meets its parent's bound.
+//!
+//! Slides, "Traverse the Hierarchies":
+//! `HIER_traverse(ray r, node n) { if (r intersects bounding volume of n) if (n is a leaf) intersect r with
+//! object of n; else for (each child c of n) HIER_traverse(r, c); }`
+//!
+//! Both walks below do that and avoid more: a node whose bound begins behind a hit that is known is left
+//! out. [`DepthFirst`] goes down into the nearest child first; [`HeapOrdered`] keeps all nodes that wait in
+//! a heap and always takes the nearest of them (Kay and Kajiya 1986).
+
+use std::cmp::{Ordering, Reverse};
+use std::collections::BinaryHeap;
+use std::ops::ControlFlow;
+
+use smallvec::SmallVec;
+
+use crate::geometry::Ray;
+use crate::scene::Scene;
+use crate::strategy::{Search, Strategy};
+use crate::structure::{Build, Hierarchy, Link, RaySlabs, SlabSet, VolumeKind, range};
+use crate::trace::{
+    BoundOutcome, BoundTest, Bounded, Event, NodeOutcome, NodeVisit, QueueAction, QueueStep,
+    Recorder, SlabTest,
+};
+
+/// Walks a hierarchy from the root down, the nearest child first.
+#[derive(Clone, Debug)]
+pub struct DepthFirst<'a, const N: usize> {
+    nodes: Nodes<'a, N>,
+}
+
+/// Walks a hierarchy in the order of the estimated distance.
+#[derive(Clone, Debug)]
+pub struct HeapOrdered<'a, const N: usize> {
+    nodes: Nodes<'a, N>,
+}
+
+/// A hierarchy and the scene it was built over.
+#[derive(Clone, Debug)]
+struct Nodes<'a, const N: usize> {
+    scene: &'a Scene,
+    hierarchy: Hierarchy<N>,
+}
+
+/// A node that waits to be entered.
+#[derive(Clone, Copy, Debug)]
+struct Waiting {
+    /// Where the ray enters its bound.
+    near: f64,
+    node: u32,
+    depth: u32,
+}
+
+/// How many nodes wait at most in a walk down a tree of common depth.
+const USUAL_WAITING: usize = 64;
+
+impl<'a, const N: usize> DepthFirst<'a, N> {
+    /// Builds the hierarchy over a scene.
+    pub fn new(scene: &'a Scene, set: &SlabSet<N>, build: Build) -> Self {
+        Self {
+            nodes: Nodes::new(scene, set, build),
+        }
+    }
+
+    /// The hierarchy that is walked.
+    pub fn hierarchy(&self) -> &Hierarchy<N> {
+        &self.nodes.hierarchy
+    }
+}
+
+impl<'a, const N: usize> HeapOrdered<'a, N> {
+    /// Builds the hierarchy over a scene.
+    pub fn new(scene: &'a Scene, set: &SlabSet<N>, build: Build) -> Self {
+        Self {
+            nodes: Nodes::new(scene, set, build),
+        }
+    }
+}
+
+impl<const N: usize> Strategy for DepthFirst<'_, N> {
+    #[inline]
+    fn search<R: Recorder>(&self, ray: &Ray, search: &mut impl Search, recorder: &mut R) {
+        let nodes = &self.nodes;
+        let slabs = RaySlabs::new(ray, nodes.hierarchy.set());
+        let mut waiting: SmallVec<[Waiting; USUAL_WAITING]> = SmallVec::new();
+        waiting.extend(nodes.root(ray, &slabs, search, recorder));
+        while let Some(next) = waiting.pop() {
+            // equal t does not prune: of two such hits the object first in the scene wins
+            if search.range().max < next.near {
+                nodes.note(next, NodeOutcome::Pruned, recorder);
+                continue;
+            }
+            nodes.note(next, NodeOutcome::Entered, recorder);
+            match nodes.hierarchy.nodes()[next.node as usize].link {
+                Link::Objects { first, count } => {
+                    let tested = nodes.test_objects(first, count, ray, search, recorder);
+                    if tested.is_break() {
+                        return;
+                    }
+                }
+                Link::Children { first, count } => {
+                    let from = waiting.len();
+                    for child in first..first + count {
+                        let depth = next.depth + 1;
+                        waiting.extend(nodes.meets(child, depth, ray, &slabs, search, recorder));
+                    }
+                    nearest_last(&mut waiting[from..]);
+                }
+            }
+        }
+    }
+
+    fn note_building<R: Recorder>(&self, recorder: &mut R) {
+        self.nodes.note_building(recorder);
+    }
+
+    fn bytes(&self) -> usize {
+        self.nodes.hierarchy.bytes()
+    }
+}
+
+impl<const N: usize> Strategy for HeapOrdered<'_, N> {
+    fn search<R: Recorder>(&self, ray: &Ray, search: &mut impl Search, recorder: &mut R) {
+        let nodes = &self.nodes;
+        let slabs = RaySlabs::new(ray, nodes.hierarchy.set());
+        let mut heap: BinaryHeap<Reverse<Waiting>> = BinaryHeap::new();
+        let note = |action, of: Waiting, size: usize, recorder: &mut R| {
+            recorder.note(|| {
+                Event::Queue(QueueStep {
+                    action,
+                    node: of.node,
+                    key: of.near,
+                    size: size as u32,
+                })
+            });
+        };
+        if let Some(root) = nodes.root(ray, &slabs, search, recorder) {
+            heap.push(Reverse(root));
+            note(QueueAction::Push, root, heap.len(), recorder);
+        }
+        while let Some(Reverse(next)) = heap.pop() {
+            if search.range().max < next.near {
+                // all others begin further away still
+                note(QueueAction::Stop, next, heap.len(), recorder);
+                nodes.note(next, NodeOutcome::Pruned, recorder);
+                return;
+            }
+            note(QueueAction::Pop, next, heap.len(), recorder);
+            nodes.note(next, NodeOutcome::Entered, recorder);
+            match nodes.hierarchy.nodes()[next.node as usize].link {
+                Link::Objects { first, count } => {
+                    let tested = nodes.test_objects(first, count, ray, search, recorder);
+                    if tested.is_break() {
+                        return;
+                    }
+                }
+                Link::Children { first, count } => {
+                    for child in first..first + count {
+                        let depth = next.depth + 1;
+                        let met = nodes.meets(child, depth, ray, &slabs, search, recorder);
+                        if let Some(met) = met {
+                            heap.push(Reverse(met));
+                            note(QueueAction::Push, met, heap.len(), recorder);
+                        }
+                    }
+                }
+            }
+        }
+    }
+
+    fn note_building<R: Recorder>(&self, recorder: &mut R) {
+        self.nodes.note_building(recorder);
+    }
+
+    fn bytes(&self) -> usize {
+        self.nodes.hierarchy.bytes()
+    }
+}
+
+impl<'a, const N: usize> Nodes<'a, N> {
+    fn new(scene: &'a Scene, set: &SlabSet<N>, build: Build) -> Self {
+        Self {
+            scene,
+            hierarchy: Hierarchy::new(scene, set, build),
+        }
+    }
+
+    /// The root, if there is one and the ray meets its bound.
+    #[inline]
+    fn root<R: Recorder>(
+        &self,
+        ray: &Ray,
+        slabs: &RaySlabs<N>,
+        search: &impl Search,
+        recorder: &mut R,
+    ) -> Option<Waiting> {
+        if self.hierarchy.nodes().is_empty() {
+            return None;
+        }
+        self.meets(0, 0, ray, slabs, search, recorder)
+    }
+
+    /// Does the ray meet a node's bound where a hit still counts?
+    #[inline]
+    fn meets<R: Recorder>(
+        &self,
+        node: u32,
+        depth: u32,
+        ray: &Ray,
+        slabs: &RaySlabs<N>,
+        search: &impl Search,
+        recorder: &mut R,
+    ) -> Option<Waiting> {
+        let bound = &self.hierarchy.nodes()[node as usize].bound;
+        let of = Bounded::Node(node);
+        let inside = bound.inside(slabs, |slab, near, far| {
+            recorder.note(|| {
+                let step = bound.step(slab, ray, self.hierarchy.set(), [near, far]);
+                Event::SlabTest(SlabTest { of, step })
+            });
+        });
+        let range = search.range();
+        let met = inside.filter(|inside| inside.meets(range));
+        if R::ENABLED {
+            let inside = inside.map(|inside| [inside.near, inside.far]);
+            let outcome = BoundOutcome::of(inside, range);
+            recorder.note(|| {
+                Event::BoundTest(BoundTest {
+                    of,
+                    volume: VolumeKind::Slabs,
+                    inside,
+                    outcome,
+                })
+            });
+            let near = inside.map_or(f64::INFINITY, |[near, _]| near);
+            let waiting = Waiting { near, node, depth };
+            match outcome {
+                BoundOutcome::Hit => {}
+                BoundOutcome::Beyond => self.note(waiting, NodeOutcome::Pruned, recorder),
+                BoundOutcome::Missed | BoundOutcome::Behind => {
+                    self.note(waiting, NodeOutcome::Rejected, recorder);
+                }
+            }
+        }
+        met.map(|inside| Waiting {
+            near: inside.near,
+            node,
+            depth,
+        })
+    }
+
+    /// Tests the objects of a leaf.
+    #[inline]
+    fn test_objects<R: Recorder>(
+        &self,
+        first: u32,
+        count: u32,
+        ray: &Ray,
+        search: &mut impl Search,
+        recorder: &mut R,
+    ) -> ControlFlow<()> {
+        for &id in &self.hierarchy.order()[range(first, count)] {
+            search.test(id, self.scene.primitive(id), ray, recorder)?;
+        }
+        ControlFlow::Continue(())
+    }
+
+    #[inline]
+    fn note<R: Recorder>(&self, of: Waiting, outcome: NodeOutcome, recorder: &mut R) {
+        recorder.note(|| {
+            let (children, objects) = match self.hierarchy.nodes()[of.node as usize].link {
+                Link::Children { count, .. } => (count, 0),
+                Link::Objects { count, .. } => (0, count),
+            };
+            Event::Node(NodeVisit {
+                node: of.node,
+                depth: of.depth,
+                children,
+                objects,
+                near: of.near.is_finite().then_some(of.near),
+                outcome,
+            })
+        });
+    }
+
+    fn note_building<R: Recorder>(&self, recorder: &mut R) {
+        if R::ENABLED {
+            for merge in self.hierarchy.merges() {
+                recorder.note(|| Event::Merge(merge));
+            }
+        }
+    }
+}
+
+/// Puts the nearest of a few nodes last, where the next one is taken from; of equals the first.
+#[inline]
+fn nearest_last(children: &mut [Waiting]) {
+    for sorted in 1..children.len() {
+        let mut at = sorted;
+        while 0 < at && children[at - 1].near <= children[at].near {
+            children.swap(at - 1, at);
+            at -= 1;
+        }
+    }
+}
+
+/// By the estimated distance; of equals by the number of the node, so that the order is always the same.
+impl Ord for Waiting {
+    fn cmp(&self, other: &Self) -> Ordering {
+        let by_distance = self.near.total_cmp(&other.near);
+        by_distance.then(self.node.cmp(&other.node))
+    }
+}
+
+impl PartialOrd for Waiting {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl PartialEq for Waiting {
+    fn eq(&self, other: &Self) -> bool {
+        self.cmp(other) == Ordering::Equal
+    }
+}
+
+impl Eq for Waiting {}

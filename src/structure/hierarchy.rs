@@ -1,0 +1,194 @@
+//! Hierarchies: bounds within bounds, with the objects at the leaves.
+//!
+//! Slides, "Hierarchies": "bounding volumes may be organized in nested hierarchies with objects at the
+//! leaves and internal nodes that bound their children". Which nodes there are is decided by one of the
+//! [`Build`]s; a parent's D_min and D_max come from its children's, from the bottom up, whatever built it.
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use crate::scene::{PrimitiveId, Scene};
+use crate::structure::build::{bottom_up, insertion, surface_area};
+use crate::structure::{SlabBound, SlabSet};
+
+/// How a hierarchy is built. All give the same hits at another cost.
+#[derive(
+    Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema, clap::ValueEnum,
+)]
+#[serde(rename_all = "kebab-case")]
+pub enum Build {
+    /// From the objects upwards, the nearest two volumes joined each time, as the slides say.
+    #[default]
+    BottomUp,
+    /// One object after the other put where it adds the least area (Goldsmith and Salmon 1987).
+    Insertion,
+    /// From the top downwards, each node cut where the areas of its halves promise the fewest tests.
+    SurfaceArea,
+}
+
+/// A node: its bound and what it bounds.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Node<const N: usize> {
+    /// D_min and D_max of each slab.
+    pub bound: SlabBound<N>,
+    /// Children or objects.
+    pub link: Link,
+}
+
+/// What is below a node.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Link {
+    /// Other nodes, which stand one after the other.
+    Children {
+        /// The first of them.
+        first: u32,
+        /// How many.
+        count: u32,
+    },
+    /// Objects, which stand one after the other in [`Hierarchy::objects`].
+    Objects {
+        /// The first of them.
+        first: u32,
+        /// How many.
+        count: u32,
+    },
+}
+
+/// The nodes without their bounds: what a build decides. The root is the first; children come after their
+/// parent and stand side by side.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(super) struct Topology {
+    pub(super) links: Vec<Link>,
+    /// The objects in the order of the leaves.
+    pub(super) order: Vec<PrimitiveId>,
+}
+
+/// A hierarchy over the objects of a scene, with N slabs to a bound.
+#[derive(Clone, Debug)]
+pub struct Hierarchy<const N: usize> {
+    set: SlabSet<N>,
+    nodes: Vec<Node<N>>,
+    order: Vec<PrimitiveId>,
+}
+
+/// Two volumes joined: one pair of planes of a node, as it grows by one child.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct MergeStep {
+    /// The node whose bound it becomes.
+    pub node: u32,
+    /// The volume so far: the first child, or the node itself from the third child on.
+    pub first: u32,
+    /// The child that is joined to it.
+    pub second: u32,
+    /// Which direction of the set, from 0.
+    pub slab: u32,
+    /// D_min of both.
+    pub d_min: [f64; 2],
+    /// D_max of both.
+    pub d_max: [f64; 2],
+}
+
+impl MergeStep {
+    /// D_min and D_max of both together: "the minimum D_min and the maximum D_max".
+    pub fn joined(&self) -> (f64, f64) {
+        let ([a_min, b_min], [a_max, b_max]) = (self.d_min, self.d_max);
+        (a_min.min(b_min), a_max.max(b_max))
+    }
+}
+
+impl<const N: usize> Hierarchy<N> {
+    /// Builds the hierarchy of a scene. A scene without objects has none of nodes.
+    pub fn new(scene: &Scene, set: &SlabSet<N>, build: Build) -> Self {
+        let topology = match build {
+            Build::BottomUp => bottom_up(scene),
+            Build::Insertion => insertion(scene),
+            Build::SurfaceArea => surface_area(scene),
+        };
+        Self::bounded(scene, *set, topology)
+    }
+
+    /// Gives the nodes their bounds, from the bottom up.
+    fn bounded(scene: &Scene, set: SlabSet<N>, topology: Topology) -> Self {
+        let Topology { links, order } = topology;
+        let empty = |&link: &Link| Node {
+            bound: SlabBound::EMPTY,
+            link,
+        };
+        let mut nodes: Vec<Node<N>> = links.iter().map(empty).collect();
+        // children stand behind their parent
+        for at in (0..nodes.len()).rev() {
+            let bound = |of: &[Node<N>], bound: SlabBound<N>| {
+                of.iter().fold(bound, |sum, node| sum.union(&node.bound))
+            };
+            nodes[at].bound = match nodes[at].link {
+                Link::Children { first, count } => {
+                    bound(&nodes[range(first, count)], SlabBound::EMPTY)
+                }
+                Link::Objects { first, count } => order[range(first, count)]
+                    .iter()
+                    .map(|&id| SlabBound::of(&scene.primitive(id).shape, &set))
+                    .fold(SlabBound::EMPTY, |sum, of| sum.union(&of)),
+            };
+        }
+        Self { set, nodes, order }
+    }
+
+    /// The directions of the slabs.
+    #[inline]
+    pub fn set(&self) -> &SlabSet<N> {
+        &self.set
+    }
+
+    /// The nodes, the root first; a scene without objects has none.
+    #[inline]
+    pub fn nodes(&self) -> &[Node<N>] {
+        &self.nodes
+    }
+
+    /// The objects in the order of the leaves.
+    #[inline]
+    pub fn order(&self) -> &[PrimitiveId] {
+        &self.order
+    }
+
+    /// How the bounds of the inner nodes came about, from the bottom up: child by child, slab by slab
+    /// (Fig. 15.58(b)).
+    pub fn merges(&self) -> impl Iterator<Item = MergeStep> + '_ {
+        let slabs = self.set.directions().len();
+        (0..self.nodes.len()).rev().flat_map(move |at| {
+            let (first, count) = match self.nodes[at].link {
+                Link::Children { first, count } => (first, count),
+                Link::Objects { .. } => (0, 0),
+            };
+            (1..count).flat_map(move |child| {
+                let before = &self.nodes[range(first, child)];
+                let so_far = before
+                    .iter()
+                    .fold(SlabBound::EMPTY, |sum, node| sum.union(&node.bound));
+                let joined = self.nodes[(first + child) as usize].bound;
+                (0..slabs).map(move |slab| {
+                    let ([a_min, a_max], [b_min, b_max]) = (so_far.d[slab], joined.d[slab]);
+                    MergeStep {
+                        node: at as u32,
+                        first: if child == 1 { first } else { at as u32 },
+                        second: first + child,
+                        slab: slab as u32,
+                        d_min: [a_min, b_min],
+                        d_max: [a_max, b_max],
+                    }
+                })
+            })
+        })
+    }
+
+    /// How much memory the nodes and the order of the objects take, in bytes.
+    pub fn bytes(&self) -> usize {
+        size_of_val(self.nodes.as_slice()) + size_of_val(self.order.as_slice())
+    }
+}
+
+/// `count` places from `first` on.
+#[inline]
+pub(crate) fn range(first: u32, count: u32) -> std::ops::Range<usize> {
+    first as usize..(first + count) as usize
+}

@@ -1,0 +1,45 @@
+//! What can be chosen about a structure.
+
+use std::fmt;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use crate::structure::{Build, GridOptions, SlabChoice, SlabSetError, VolumeKind};
+
+/// What can be chosen about the structure of a strategy; each strategy looks at its own part.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct StructureOptions {
+    /// The volume around each object.
+    pub volume: VolumeKind,
+    /// The directions of slabs.
+    pub slabs: SlabChoice,
+    /// How a hierarchy is built.
+    pub build: Build,
+    /// How a grid is built.
+    pub grid: GridOptions,
+}
+
+/// Why a structure cannot be built.
+#[derive(Clone, Debug, PartialEq)]
+pub enum StructureError {
+    /// The scene file has no set of slabs.
+    NoSlabs,
+    /// Its directions are no set.
+    Slabs(SlabSetError),
+}
+
+impl fmt::Display for StructureError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::NoSlabs => f.write_str(
+                "the scene has no \"slabs\"; add a list of directions [A, B, C], or take the slabs axes or \
+                 seven",
+            ),
+            Self::Slabs(error) => error.fmt(f),
+        }
+    }
+}
+
+impl std::error::Error for StructureError {}
