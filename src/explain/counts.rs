@@ -6,7 +6,8 @@ use serde_json::{Value, json};
 
 use crate::trace::{Counts, Purpose};
 
-/// The counts as two tables: rays by purpose, tests by kind. Kinds that did not occur are left out.
+/// The counts as tables: rays by purpose, tests by kind, what the search cost. What did not occur is left
+/// out.
 pub fn counts_text(counts: &Counts) -> String {
     let mut text = String::new();
     // writing to a String cannot fail
@@ -34,10 +35,27 @@ pub fn counts_text(counts: &Counts) -> String {
             row([kind.name().into(), tests, hits, misses]);
         }
     }
+    let searched: Vec<_> = counts
+        .search
+        .named()
+        .into_iter()
+        .filter(|(_, number)| 0 < *number)
+        .collect();
+    if !searched.is_empty() {
+        row([
+            "search".into(),
+            "number".into(),
+            String::new(),
+            String::new(),
+        ]);
+    }
+    for (name, number) in searched {
+        let _ = writeln!(text, "{name:<22}{number:>8}");
+    }
     text
 }
 
-/// The counts as JSON: `rays` by purpose and `tests` by kind.
+/// The counts as JSON: `rays` by purpose, `tests` by kind, and what the `search` cost.
 pub fn counts_json(counts: &Counts) -> Value {
     let rays: serde_json::Map<String, Value> = Counts::PURPOSES
         .into_iter()
@@ -63,7 +81,13 @@ pub fn counts_json(counts: &Counts) -> Value {
             (kind.name().into(), value)
         })
         .collect();
-    json!({ "rays": rays, "tests": tests })
+    let search: serde_json::Map<String, Value> = counts
+        .search
+        .named()
+        .into_iter()
+        .map(|(name, number)| (name.replace(' ', "_"), number.into()))
+        .collect();
+    json!({ "rays": rays, "tests": tests, "search": search })
 }
 
 fn purpose_name(purpose: Purpose) -> &'static str {

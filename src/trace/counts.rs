@@ -1,6 +1,9 @@
 //! Counts: how many rays of each purpose, how many tests of each kind, and how many of them hit.
 
-use crate::trace::{Event, Kind, Outcome, Purpose, RayEnd, Recorder};
+use crate::trace::{
+    BoundOutcome, Bounded, Event, Kind, NodeOutcome, Outcome, Purpose, QueueAction, RayEnd,
+    Recorder,
+};
 
 /// What a trace cost. A recorder that keeps sums alone.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -9,8 +12,12 @@ pub struct Counts {
     pub rays: [RayCount; 4],
     /// By kind: sphere, ellipsoid, cone, box, plane, polygon.
     pub tests: [TestCount; 6],
+    /// What the search for the objects to test cost.
+    pub search: SearchCount,
     /// Purposes of the rays that have started and not ended.
     open: Vec<Purpose>,
+    /// The volume of an object was met, and the object was not met since.
+    in_vain: bool,
 }
 
 /// Rays of one purpose.
@@ -36,6 +43,89 @@ pub struct TestCount {
     pub hits: u64,
     /// How many did not.
     pub misses: u64,
+}
+
+impl TestCount {
+    fn add(&mut self, hit: bool) {
+        self.tests += 1;
+        if hit {
+            self.hits += 1;
+        } else {
+            self.misses += 1;
+        }
+    }
+
+    fn sum(&mut self, other: &Self) {
+        self.tests += other.tests;
+        self.hits += other.hits;
+        self.misses += other.misses;
+    }
+}
+
+/// What it cost to find out which objects to test.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct SearchCount {
+    /// Bounding volumes tested, and how many of them were met where it counts.
+    pub bounds: TestCount,
+    /// Volumes of objects that were met, and then the object was not.
+    pub in_vain: u64,
+    /// Slabs tested: fewer than bounds times directions, since a bound is left as soon as near and far cross.
+    pub slabs: u64,
+    /// Nodes whose children or objects were looked at.
+    pub entered: u64,
+    /// Nodes that the ray does not meet.
+    pub rejected: u64,
+    /// Nodes left out because a nearer hit was known.
+    pub pruned: u64,
+    /// Nodes put into the heap.
+    pub pushed: u64,
+    /// Cells whose lists were looked at.
+    pub cells: u64,
+    /// Objects found on the lists of cells.
+    pub listed: u64,
+    /// Objects that their mailbox saved from another test.
+    pub mailbox: u64,
+    /// Hits that lay beyond their cell.
+    pub outside_cell: u64,
+    /// Points and vectors brought into the frame of a ray.
+    pub aligned: u64,
+}
+
+impl SearchCount {
+    /// Each sum with its name in reports, in a fixed order.
+    pub fn named(&self) -> [(&'static str, u64); 14] {
+        [
+            ("bound tests", self.bounds.tests),
+            ("bounds met", self.bounds.hits),
+            ("bounds missed", self.bounds.misses),
+            ("bounds met in vain", self.in_vain),
+            ("slab tests", self.slabs),
+            ("nodes entered", self.entered),
+            ("nodes rejected", self.rejected),
+            ("nodes pruned", self.pruned),
+            ("heap pushes", self.pushed),
+            ("cells", self.cells),
+            ("objects listed", self.listed),
+            ("saved by mailboxes", self.mailbox),
+            ("hits outside the cell", self.outside_cell),
+            ("points aligned", self.aligned),
+        ]
+    }
+
+    fn add(&mut self, other: &Self) {
+        self.bounds.sum(&other.bounds);
+        self.in_vain += other.in_vain;
+        self.slabs += other.slabs;
+        self.entered += other.entered;
+        self.rejected += other.rejected;
+        self.pruned += other.pruned;
+        self.pushed += other.pushed;
+        self.cells += other.cells;
+        self.listed += other.listed;
+        self.mailbox += other.mailbox;
+        self.outside_cell += other.outside_cell;
+        self.aligned += other.aligned;
+    }
 }
 
 impl Counts {
@@ -75,13 +165,50 @@ impl Counts {
             sum.beyond_depth += count.beyond_depth;
         }
         for (sum, count) in self.tests.iter_mut().zip(&other.tests) {
-            sum.tests += count.tests;
-            sum.hits += count.hits;
-            sum.misses += count.misses;
+            sum.sum(count);
+        }
+        self.search.add(&other.search);
+    }
+
+    /// All objects tested: a polygon counts once, by its plane.
+    pub fn objects_tested(&self) -> u64 {
+        let tests = Self::TESTS.iter().zip(&self.tests);
+        tests
+            .filter(|(kind, _)| **kind != Kind::PolygonTest)
+            .map(|(_, count)| count.tests)
+            .sum()
+    }
+
+    /// One step of the search.
+    fn searched(&mut self, event: &Event) {
+        let search = &mut self.search;
+        match event {
+            Event::BoundTest(test) => {
+                search.in_vain += u64::from(std::mem::take(&mut self.in_vain));
+                let met = test.outcome == BoundOutcome::Hit;
+                search.bounds.add(met);
+                self.in_vain = met && matches!(test.of, Bounded::Object(_));
+            }
+            Event::SlabTest(_) => search.slabs += 1,
+            Event::Node(visit) => match visit.outcome {
+                NodeOutcome::Entered => search.entered += 1,
+                NodeOutcome::Rejected => search.rejected += 1,
+                NodeOutcome::Pruned => search.pruned += 1,
+            },
+            Event::Queue(step) => {
+                search.pushed += u64::from(step.action == QueueAction::Push);
+            }
+            Event::Cell(_) => search.cells += 1,
+            Event::Listed { .. } => search.listed += 1,
+            Event::Mailbox { .. } => search.mailbox += 1,
+            Event::HitOutsideCell(_) => search.outside_cell += 1,
+            Event::Aligned(_) => search.aligned += 1,
+            _ => {}
         }
     }
 
     fn ended(&mut self, end: &RayEnd) {
+        self.search.in_vain += u64::from(std::mem::take(&mut self.in_vain));
         let Some(purpose) = self.open.pop() else {
             return;
         };
@@ -97,6 +224,9 @@ impl Counts {
     }
 }
 
+/// The place of `plane_test` in [`Counts::TESTS`].
+const PLANE: usize = 4;
+
 impl Recorder for Counts {
     const ENABLED: bool = true;
 
@@ -108,18 +238,15 @@ impl Recorder for Counts {
             Event::EllipsoidTest { .. } => 1,
             Event::ConeTest { .. } => 2,
             Event::BoxTest { .. } => 3,
-            Event::PlaneTest { .. } => 4,
+            Event::PlaneTest { .. } => PLANE,
             Event::PolygonTest { .. } => 5,
             Event::Ray(start) => return self.open.push(start.purpose),
             Event::RayEnd(end) => return self.ended(end),
-            _ => return,
+            _ => return self.searched(&event),
         };
-        let count = &mut self.tests[of_kind];
-        count.tests += 1;
-        match event.test_hits() {
-            Some(true) => count.hits += 1,
-            Some(false) => count.misses += 1,
-            None => {}
-        }
+        let hit = event.test_hits() == Some(true);
+        self.tests[of_kind].add(hit);
+        // the hit of a polygon is that of its outline
+        self.in_vain &= !hit || of_kind == PLANE;
     }
 }

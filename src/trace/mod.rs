@@ -18,7 +18,7 @@ mod search_kinds;
 mod settings;
 mod words;
 
-pub use counts::{Counts, RayCount, TestCount};
+pub use counts::{Counts, RayCount, SearchCount, TestCount};
 pub use event::{
     Event, Kind, LightTerm, Nearest, Outcome, PixelColour, PixelSample, Purpose, RayEnd, RayStart,
     Shade, Visibility,
