@@ -14,10 +14,10 @@ use std::ops::ControlFlow;
 
 use smallvec::SmallVec;
 
-use crate::geometry::Ray;
+use crate::geometry::{Ray, TRange};
 use crate::scene::Scene;
 use crate::strategy::{Search, Strategy};
-use crate::structure::{Build, Hierarchy, Link, RaySlabs, SlabSet, VolumeKind, range};
+use crate::structure::{Build, Hierarchy, Inside, Link, RaySlabs, SlabSet, VolumeKind, range};
 use crate::trace::{
     BoundOutcome, BoundTest, Bounded, Event, NodeOutcome, NodeVisit, QueueAction, QueueStep,
     Recorder, SlabTest,
@@ -83,15 +83,11 @@ impl<const N: usize> Strategy for DepthFirst<'_, N> {
         let nodes = &self.nodes;
         let slabs = RaySlabs::new(ray, nodes.hierarchy.set());
         let mut waiting: SmallVec<[Waiting; USUAL_WAITING]> = SmallVec::new();
-        waiting.extend(nodes.root(ray, &slabs, search, recorder));
-        while let Some(next) = waiting.pop() {
-            // equal t does not prune: of two such hits the object first in the scene wins
-            if search.range().max < next.near {
-                nodes.note(next, NodeOutcome::Pruned, recorder);
-                continue;
-            }
-            nodes.note(next, NodeOutcome::Entered, recorder);
-            match nodes.hierarchy.nodes()[next.node as usize].link {
+        let mut next = nodes.root(ray, &slabs, search, recorder);
+        while let Some(node) = next {
+            nodes.note(node, NodeOutcome::Entered, recorder);
+            next = None;
+            match nodes.hierarchy.nodes()[node.node as usize].link {
                 Link::Objects { first, count } => {
                     let tested = nodes.test_objects(first, count, ray, search, recorder);
                     if tested.is_break() {
@@ -99,12 +95,31 @@ impl<const N: usize> Strategy for DepthFirst<'_, N> {
                     }
                 }
                 Link::Children { first, count } => {
-                    let from = waiting.len();
                     for child in first..first + count {
-                        let depth = next.depth + 1;
-                        waiting.extend(nodes.meets(child, depth, ray, &slabs, search, recorder));
+                        let depth = node.depth + 1;
+                        let met = nodes.meets(child, depth, ray, &slabs, search, recorder);
+                        // the nearest child is next, the others wait
+                        if let Some(met) = met {
+                            match next {
+                                None => next = Some(met),
+                                Some(nearer) if nearer.near <= met.near => waiting.push(met),
+                                Some(further) => {
+                                    waiting.push(further);
+                                    next = Some(met);
+                                }
+                            }
+                        }
                     }
-                    nearest_last(&mut waiting[from..]);
+                }
+            }
+            while next.is_none()
+                && let Some(last) = waiting.pop()
+            {
+                // equal t does not prune: of two such hits the object first in the scene wins
+                if last.near <= search.range().max {
+                    next = Some(last);
+                } else {
+                    nodes.note(last, NodeOutcome::Pruned, recorder);
                 }
             }
         }
@@ -220,33 +235,41 @@ impl<'a, const N: usize> Nodes<'a, N> {
             });
         });
         let range = search.range();
-        let met = inside.filter(|inside| inside.meets(range));
-        if R::ENABLED {
-            let inside = inside.map(|inside| [inside.near, inside.far]);
-            let outcome = BoundOutcome::of(inside, range);
-            recorder.note(|| {
-                Event::BoundTest(BoundTest {
-                    of,
-                    volume: VolumeKind::Slabs,
-                    inside,
-                    outcome,
-                })
-            });
-            let near = inside.map_or(f64::INFINITY, |[near, _]| near);
-            let waiting = Waiting { near, node, depth };
-            match outcome {
-                BoundOutcome::Hit => {}
-                BoundOutcome::Beyond => self.note(waiting, NodeOutcome::Pruned, recorder),
-                BoundOutcome::Missed | BoundOutcome::Behind => {
-                    self.note(waiting, NodeOutcome::Rejected, recorder);
-                }
-            }
-        }
-        met.map(|inside| Waiting {
+        let waiting = Waiting {
             near: inside.near,
             node,
             depth,
-        })
+        };
+        if R::ENABLED {
+            self.note_bound(waiting, inside, range, recorder);
+        }
+        inside.meets(range).then_some(waiting)
+    }
+
+    fn note_bound<R: Recorder>(
+        &self,
+        of: Waiting,
+        inside: Inside,
+        range: TRange,
+        recorder: &mut R,
+    ) {
+        let inside = inside.ends();
+        let outcome = BoundOutcome::of(inside, range);
+        recorder.note(|| {
+            Event::BoundTest(BoundTest {
+                of: Bounded::Node(of.node),
+                volume: VolumeKind::Slabs,
+                inside,
+                outcome,
+            })
+        });
+        match outcome {
+            BoundOutcome::Hit => {}
+            BoundOutcome::Beyond => self.note(of, NodeOutcome::Pruned, recorder),
+            BoundOutcome::Missed | BoundOutcome::Behind => {
+                self.note(of, NodeOutcome::Rejected, recorder);
+            }
+        }
     }
 
     /// Tests the objects of a leaf.
@@ -277,7 +300,7 @@ impl<'a, const N: usize> Nodes<'a, N> {
                 depth: of.depth,
                 children,
                 objects,
-                near: of.near.is_finite().then_some(of.near),
+                near: (outcome != NodeOutcome::Rejected).then_some(of.near),
                 outcome,
             })
         });
@@ -288,18 +311,6 @@ impl<'a, const N: usize> Nodes<'a, N> {
             for merge in self.hierarchy.merges() {
                 recorder.note(|| Event::Merge(merge));
             }
-        }
-    }
-}
-
-/// Puts the nearest of a few nodes last, where the next one is taken from; of equals the first.
-#[inline]
-fn nearest_last(children: &mut [Waiting]) {
-    for sorted in 1..children.len() {
-        let mut at = sorted;
-        while 0 < at && children[at - 1].near <= children[at].near {
-            children.swap(at - 1, at);
-            at -= 1;
         }
     }
 }

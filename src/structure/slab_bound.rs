@@ -8,7 +8,7 @@
 
 use glam::DVec3;
 
-use crate::geometry::{Ray, SlabInterval, SlabRay, TRange};
+use crate::geometry::{PARALLEL, Ray, SlabInterval, SlabRay, TRange};
 use crate::scene::Shape;
 use crate::structure::{SlabSet, extent};
 
@@ -58,7 +58,7 @@ pub struct SlabStep {
     pub outcome: SlabOutcome,
 }
 
-/// Where a ray is inside a bound: from the largest near to the smallest far.
+/// Where a ray is inside a bound: from the largest near to the smallest far; nowhere if these have crossed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Inside {
     /// The largest of the near values.
@@ -71,8 +71,25 @@ impl Inside {
     /// Is any of it in the range? Equality counts.
     #[inline]
     pub fn meets(&self, range: TRange) -> bool {
-        range.min <= self.far && self.near <= range.max
+        larger(self.near, range.min) <= smaller(self.far, range.max)
     }
+
+    /// Both ends, unless they have crossed.
+    pub fn ends(&self) -> Option<[f64; 2]> {
+        (self.near <= self.far).then_some([self.near, self.far])
+    }
+}
+
+/// The larger of two numbers: one instruction, unlike `f64::max`, which must look out for NaN.
+#[inline]
+fn larger(a: f64, b: f64) -> f64 {
+    if a < b { b } else { a }
+}
+
+/// The smaller of two numbers.
+#[inline]
+fn smaller(a: f64, b: f64) -> f64 {
+    if b < a { b } else { a }
 }
 
 /// S and T of a ray for each direction of a set: computed once for all bounds.
@@ -84,15 +101,22 @@ pub struct RaySlabs<const N: usize> {
     lines: [SlabLine; N],
 }
 
+/// S and T of one direction, for the near plane and for the far one.
+///
+/// T of the far plane is negated, so that both are treated alike: the smallest far is the largest −far.
 #[derive(Clone, Copy, Debug)]
 struct SlabLine {
-    /// S and T of the near plane.
-    near: SlabRay,
-    /// S and T of the far plane.
-    far: SlabRay,
+    s: [f64; 2],
+    t_scale: [f64; 2],
     /// Whether the near plane is that of D_min, 0, or that of D_max, 1 (erratum 5).
     near_is: usize,
 }
+
+/// A t beyond this comes from a parallel slab: a scene's numbers end at 10⁵⁰, a parallel T begins at 10²⁰⁰.
+const FARTHEST: f64 = 1e120;
+
+/// The first slabs are looked at together: to leave between them costs more than it saves.
+const BOX: usize = 2;
 
 /// Room for the rounding of S and D: a ten-thousandfold of ε.
 const SHIFT: f64 = 1e-11;
@@ -106,16 +130,12 @@ impl<const N: usize> RaySlabs<N> {
         let shift = SHIFT * ray.origin.abs().element_sum();
         let lines = set.padded().map(|normal| {
             let SlabRay { s, t_scale } = SlabRay::new(ray, normal);
+            // a parallel ray needs no division: it is far beyond every other slab, or before it
+            let t_scale = t_scale.clamp(-PARALLEL, PARALLEL);
             let towards = shift.copysign(t_scale);
             SlabLine {
-                near: SlabRay {
-                    s: s - towards,
-                    t_scale: t_scale * (1.0 - STRETCH),
-                },
-                far: SlabRay {
-                    s: s + towards,
-                    t_scale: t_scale * (1.0 + STRETCH),
-                },
+                s: [s - towards, s + towards],
+                t_scale: [t_scale * (1.0 - STRETCH), -t_scale * (1.0 + STRETCH)],
                 near_is: usize::from(t_scale < 0.0),
             }
         });
@@ -159,35 +179,30 @@ impl<const N: usize> SlabBound<N> {
         self.d.map(|[d_min, d_max]| d_max - d_min)
     }
 
-    /// Where is the ray inside the bound? `None` as soon as near and far have crossed.
+    /// Where is the ray inside the bound?
     ///
-    /// near = max (S + D_near)·T, far = min (S + D_far)·T. No division; a parallel ray (T infinite) has
-    /// near = −∞ and far = ∞ inside the slab, and the other way round outside. `tell` hears of each slab
-    /// with the largest near and the smallest far up to it.
+    /// near = max (S + D_near)·T, far = min (S + D_far)·T, without a division. Left as soon as they have
+    /// crossed. A parallel ray is inside its slab from some −10²⁰⁰ to 10²⁰⁰, or only beyond that. `tell`
+    /// hears of each slab with the largest near and the smallest far up to it.
     #[inline]
-    pub fn inside(
-        &self,
-        ray: &RaySlabs<N>,
-        mut tell: impl FnMut(usize, f64, f64),
-    ) -> Option<Inside> {
-        let (mut near, mut far) = (f64::NEG_INFINITY, f64::INFINITY);
+    pub fn inside(&self, ray: &RaySlabs<N>, mut tell: impl FnMut(usize, f64, f64)) -> Inside {
+        let mut largest = [f64::NEG_INFINITY; 2];
         for (slab, (d, line)) in self.d.iter().zip(&ray.lines).enumerate() {
-            let enters = (line.near.s + d[line.near_is]) * line.near.t_scale;
-            let leaves = (line.far.s + d[1 - line.near_is]) * line.far.t_scale;
-            // 0·∞, exactly in a plane of a parallel slab, is no number: it passes both comparisons by
-            if near < enters {
-                near = enters;
-            }
-            if leaves < far {
-                far = leaves;
-            }
-            tell(slab, near, far);
-            // a bound is never flat; near = far = ±∞ is a parallel ray outside
-            if far <= near {
-                return None;
+            // the mask tells the compiler that there is no third
+            let planes = [d[line.near_is & 1], d[!line.near_is & 1]];
+            let t = [0, 1].map(|end| (line.s[end] + planes[end]) * line.t_scale[end]);
+            largest = [0, 1].map(|end| larger(largest[end], t[end]));
+            let [near, minus_far] = largest;
+            tell(slab, near, -minus_far);
+            if BOX <= slab && -minus_far < near {
+                break;
             }
         }
-        Some(Inside { near, far })
+        let [near, minus_far] = largest;
+        Inside {
+            near,
+            far: -minus_far,
+        }
     }
 
     /// The working of one slab, for a ray of which `max_near` and `min_far` are known up to it.
@@ -198,11 +213,21 @@ impl<const N: usize> SlabBound<N> {
         set: &SlabSet<N>,
         [max_near, min_far]: [f64; 2],
     ) -> SlabStep {
+        // what lies beyond a parallel slab has no bound
+        let limited = |t: f64| {
+            if t.abs() < FARTHEST {
+                t
+            } else {
+                t * f64::INFINITY
+            }
+        };
+        let (max_near, min_far) = (limited(max_near), limited(min_far));
         let normal = set.padded()[slab];
         let line = SlabRay::new(ray, normal);
         let [d_min, d_max] = self.d[slab];
         let interval = line.interval(d_min, d_max);
-        let crossed = min_far <= max_near;
+        let crossed =
+            min_far < max_near || max_near == f64::INFINITY || min_far == f64::NEG_INFINITY;
         let outcome = match interval {
             SlabInterval::ParallelOutside if crossed => SlabOutcome::ParallelOutside,
             _ if crossed => SlabOutcome::Null,
@@ -254,7 +279,8 @@ mod tests {
         let (set, bound) = four_and_one();
         let ray = Ray::new(origin.into(), direction.into());
         let found = bound.inside(&RaySlabs::new(&ray, &set), |_, _, _| {});
-        found.map(|Inside { near, far }| [near, far].map(|t| (t * 1e6).round() / 1e6))
+        let ends = found.ends().filter(|_| found.meets(TRange::FORWARD));
+        ends.map(|ends| ends.map(|t| (t * 1e6).round() / 1e6))
     }
 
     #[test]

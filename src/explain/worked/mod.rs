@@ -5,7 +5,9 @@
 //! its misses are summed up unless all are asked for.
 
 mod arrival;
+mod cells;
 mod misses;
+mod nodes;
 mod polygon;
 mod quadratic;
 mod ray;
@@ -18,10 +20,11 @@ use glam::DVec3;
 
 use crate::explain::number::Digits;
 use crate::explain::page::{Page, Tone, printable};
+use crate::explain::worked::search::BUILDING;
 use crate::scene::{PrimitiveId, Scene};
 use crate::trace::{
-    Event, Item, Kind, Kinds, PixelColour, PixelSample, RayTree, Record, Settings, Through,
-    Transport,
+    Event, Item, Kind, Kinds, PixelColour, PixelSample, RayTree, Record, Settings, StrategyName,
+    Through, Transport,
 };
 
 /// What of the working is printed, and how.
@@ -87,6 +90,7 @@ impl Solution<'_> {
             }
             return;
         }
+        self.building();
         let mut colours = Vec::new();
         for item in self.tree.items.clone() {
             match item {
@@ -102,6 +106,37 @@ impl Solution<'_> {
                 },
             }
         }
+    }
+
+    /// How the structure was built, if that was recorded; in part, unless all is asked for.
+    fn building(&mut self) {
+        /// More lines than a screen has would hide the pixel.
+        const SHOWN: usize = 24;
+        let built: Vec<Event> = self
+            .records
+            .iter()
+            .map(|record| record.event)
+            .filter(|event| BUILDING.contains(&event.kind()) && self.shows(event.kind()))
+            .collect();
+        if built.is_empty() {
+            return;
+        }
+        let shown = if self.options.all { built.len() } else { SHOWN };
+        self.page.gap();
+        self.page.line(Tone::Heading, "Built before the first ray");
+        self.page.indent();
+        for event in built.iter().take(shown) {
+            match event {
+                Event::Merge(step) => self.merge(step),
+                Event::Assign(step) => self.assign(step),
+                _ => {}
+            }
+        }
+        if let Some(more) = built.len().checked_sub(shown).filter(|&more| 0 < more) {
+            let text = format!("… {} (--all tells them)", count(more, "more step"));
+            self.page.line(Tone::Aside, text);
+        }
+        self.page.outdent();
     }
 
     fn shows(&self, kind: Kind) -> bool {
@@ -131,9 +166,10 @@ impl Solution<'_> {
         self.page.line(
             Tone::Aside,
             format!(
-                "{width} × {height} pixels, traced {transport}, each ray tested against {}, \
+                "{width} × {height} pixels, traced {transport}, each ray tested against {}{}, \
                  depth up to {}{sides}",
                 count(objects, "object"),
+                how(self.settings),
                 self.scene.max_depth
             ),
         );
@@ -239,6 +275,18 @@ impl Solution<'_> {
             (name, None) => printable(name),
             (name, Some(face)) => format!("{} face {face}", printable(name)),
         }
+    }
+}
+
+/// Which of the objects a ray is tested against.
+fn how(settings: &Settings) -> &'static str {
+    match settings.strategy {
+        StrategyName::Exhaustive => "",
+        StrategyName::Bounds => " whose bounding volumes it meets",
+        StrategyName::Hierarchy => " in a hierarchy, walked depth first",
+        StrategyName::Heap => " in a hierarchy, walked by distance",
+        StrategyName::Grid => " in the cells of a grid",
+        StrategyName::ZAligned => " in a frame in which it is the z axis",
     }
 }
 

@@ -28,6 +28,8 @@ impl Solution<'_> {
             shade,
             end: node.end,
             arrived: false,
+            slabs_in_full: self.slabs_in_full(&steps),
+            last: None,
         };
         self.page.line(
             Tone::Heading,
@@ -82,7 +84,10 @@ impl Solution<'_> {
                     self.arrive(&mut course);
                     self.shade(shade);
                 }
-                Step::Search(event) => self.search(event, &course),
+                Step::Search(event) => {
+                    self.search(event, &course);
+                    course.last = Some(*event);
+                }
                 Step::Nearest(hit) => self.nearest(*hit, &mut course),
             }
         }

@@ -1,12 +1,48 @@
-//! The search for what a ray meets: bounds, nodes, cells, alignment.
+//! The search for what a ray meets: which step is told where.
 
 use crate::explain::worked::Solution;
-use crate::explain::worked::steps::Course;
-use crate::trace::Event;
+use crate::explain::worked::steps::{Course, Step};
+use crate::trace::{BoundOutcome, Bounded, Event, Kind};
+
+/// Up to so many slabs on a ray each is worked out; from more of them on only if all are asked for.
+const SLABS_IN_FULL: usize = 24;
 
 impl Solution<'_> {
     /// One step of the search.
     pub(super) fn search(&mut self, event: &Event, course: &Course) {
-        let _ = (event, course);
+        if !self.shows(event.kind()) {
+            return;
+        }
+        match event {
+            Event::Node(visit) => self.node(visit, course),
+            Event::Queue(step) => self.queue(step),
+            Event::GridEnter(enter) => self.grid_enter(enter),
+            Event::Cell(cell) => self.cell(cell),
+            Event::Listed { object } => self.listed(*object),
+            Event::Mailbox { object } => self.mailbox(*object),
+            Event::HitOutsideCell(hit) => self.hit_outside_cell(hit),
+            Event::GridExit(exit) => self.grid_exit(exit),
+            _ => {}
+        }
+    }
+
+    /// Are the slabs of a ray worked out one by one?
+    pub(super) fn slabs_in_full(&self, steps: &[Step]) -> bool {
+        let is_slab = |step: &&Step| matches!(step, Step::Search(Event::SlabTest(_)));
+        self.options.all || steps.iter().filter(is_slab).count() <= SLABS_IN_FULL
     }
 }
+
+/// The node whose bound was found not to count by this step, if it is one.
+pub(super) fn refused_node(step: Option<&Event>) -> Option<u32> {
+    match step {
+        Some(Event::BoundTest(test)) if test.outcome != BoundOutcome::Hit => match test.of {
+            Bounded::Node(node) => Some(node),
+            Bounded::Object(_) => None,
+        },
+        _ => None,
+    }
+}
+
+/// Kinds that tell how a structure was built.
+pub(super) const BUILDING: [Kind; 2] = [Kind::Merge, Kind::Assign];

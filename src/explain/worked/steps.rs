@@ -20,6 +20,10 @@ pub(super) struct Course {
     pub(super) end: Option<RayEnd>,
     /// The point it met was introduced.
     pub(super) arrived: bool,
+    /// Are the slabs of bounds worked out one by one?
+    pub(super) slabs_in_full: bool,
+    /// The step of the search that was told last.
+    pub(super) last: Option<Event>,
 }
 
 /// One step of a ray's working.

@@ -1,0 +1,139 @@
+//! Cells of a uniform grid: the walk of a ray, and how the lists were filled.
+
+use crate::explain::number::Digits;
+use crate::explain::page::Tone;
+use crate::explain::worked::Solution;
+use crate::explain::worked::count;
+use crate::scene::PrimitiveId;
+use crate::structure::{Across, AssignStep, Share};
+use crate::trace::{CellVisit, GridEnter, GridExit, HitOutsideCell, WalkEnd};
+
+impl Solution<'_> {
+    /// The grid, and where the ray comes into it.
+    pub(super) fn grid_enter(&mut self, enter: &GridEnter) {
+        let d = Digits::USUAL;
+        let [nx, ny, nz] = enter.resolution;
+        self.page.plain(format!(
+            "Grid of {nx} × {ny} × {nz} cells from {} to {}",
+            d.vector(enter.min),
+            d.vector(enter.max)
+        ));
+        match (enter.inside, enter.cell) {
+            (Some([near, far]), Some(cell)) => self.page.plain(format!(
+                "the ray is in its box from {} to {} and starts in cell {}",
+                d.number(near),
+                d.number(far),
+                place(cell)
+            )),
+            (Some([near, far]), None) => self.page.line(
+                Tone::Refused,
+                format!(
+                    "the ray is in its box from {} to {}, where no t counts",
+                    d.number(near),
+                    d.number(far)
+                ),
+            ),
+            (None, _) => self.page.line(Tone::Refused, "the ray passes by its box"),
+        }
+    }
+
+    /// A cell with its t, and the plane that comes next.
+    pub(super) fn cell(&mut self, visit: &CellVisit) {
+        let d = Digits::USUAL;
+        let step = visit.step;
+        let next: Vec<String> = ["x", "y", "z"]
+            .into_iter()
+            .zip(step.next)
+            .filter(|(_, t)| t.is_finite())
+            .map(|(axis, t)| format!("{axis} at {}", d.number(t)))
+            .collect();
+        let across = match step.across {
+            Across::None => "",
+            Across::X => "x",
+            Across::Y => "y",
+            Across::Z => "z",
+            Across::XY => "x and y at once, through an edge",
+            Across::XZ => "x and z at once, through an edge",
+            Across::YZ => "y and z at once, through an edge",
+            Across::XYZ => "x, y and z at once, through a corner",
+        };
+        let listed = match visit.listed {
+            0 => "no object listed".into(),
+            listed => format!("{} listed", count(listed as usize, "object")),
+        };
+        let leaves = if next.is_empty() {
+            String::new()
+        } else {
+            format!(
+                "; next planes: {}; goes on across {across}",
+                next.join(", ")
+            )
+        };
+        self.page.plain(format!(
+            "Cell {}: t from {} to {}, {listed}{leaves}",
+            place(step.cell),
+            d.number(step.t_in),
+            d.number(step.t_out)
+        ));
+    }
+
+    /// An object on the cell's list.
+    pub(super) fn listed(&mut self, object: PrimitiveId) {
+        // its test follows, or its mailbox does
+        let _ = object;
+    }
+
+    /// An object that was tested in an earlier cell.
+    pub(super) fn mailbox(&mut self, object: PrimitiveId) {
+        let name = self.name(object);
+        let text = format!("{name}: tested with this ray in an earlier cell, as its mailbox says");
+        self.page.indented(|page| page.line(Tone::Aside, text));
+    }
+
+    /// A hit beyond the cell.
+    pub(super) fn hit_outside_cell(&mut self, hit: &HitOutsideCell) {
+        let d = Digits::for_difference(hit.t, hit.t - hit.t_out);
+        let text = format!(
+            "→ the hit at {} lies beyond this cell, which ends at {}: it is kept, and the walk goes on",
+            d.number(hit.t),
+            d.number(hit.t_out)
+        );
+        self.page.indented(|page| page.line(Tone::Refused, text));
+    }
+
+    /// Why the walk ended.
+    pub(super) fn grid_exit(&mut self, exit: &GridExit) {
+        let cells = count(exit.cells as usize, "cell");
+        let (tone, text) = match exit.end {
+            WalkEnd::HitInCell => (
+                Tone::Found,
+                format!(
+                    "the nearest hit lies in this cell: no later one can hold a nearer; {cells} visited"
+                ),
+            ),
+            WalkEnd::Left => (
+                Tone::Refused,
+                format!("the walk leaves the grid; {cells} visited"),
+            ),
+            WalkEnd::Outside => (Tone::Refused, "no cell is pierced".into()),
+        };
+        self.page.line(tone, text);
+    }
+
+    /// An object put into a cell's list.
+    pub(super) fn assign(&mut self, step: &AssignStep) {
+        let name = self.name(step.object);
+        let share = match step.share {
+            Share::Whole => "wholly",
+            Share::Part => "in part",
+        };
+        self.page.plain(format!(
+            "cell {} lists {name}: it contains it {share}",
+            place(step.cell)
+        ));
+    }
+}
+
+fn place([i, j, k]: [u32; 3]) -> String {
+    format!("({i}, {j}, {k})")
+}
