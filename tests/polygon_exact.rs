@@ -64,7 +64,8 @@ fn check(polygon: &Polygon, ray: &Ray, line: f64, tally: &mut Tally) {
         return;
     };
     let test = polygon.contains(ray, root.t);
-    let context = || format!("{ray:?}\n{test:?}\n{:?}", polygon.vertices());
+    let vertices: Vec<_> = polygon.vertices().collect();
+    let context = || format!("{ray:?}\n{test:?}\n{vertices:?}");
     assert_eq!(test.inside, test.crossings % 2 == 1, "{}", context());
     check_edges(polygon, ray, test);
 
@@ -87,7 +88,7 @@ fn check(polygon: &Polygon, ray: &Ray, line: f64, tally: &mut Tally) {
         tally.by_point += 1;
     }
 
-    let (outline, scale) = seen_along(ray, polygon.vertices());
+    let (outline, scale) = seen_along(ray, &vertices);
     let zero = [0.0, 0.0].map(Exact::from);
     let reach = ray.origin.length() + root.t.abs() * ray.direction.length();
     if line == 0.0 || line * reach < distance_from_zero(&outline, scale) {

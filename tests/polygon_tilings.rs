@@ -178,12 +178,12 @@ fn check_tiling(random: &mut Seeded, tiling: &Tiling, placed: Placed, tally: &mu
     let corners: Vec<_> = polygons
         .iter()
         .zip(&tiling.tiles)
-        .map(|(p, tile)| (p.vertices(), tile))
+        .map(|(p, tile)| (p.vertices().collect(), tile))
         .collect();
     let size = placed.u.length();
     let normal = placed.u.cross(placed.v).normalize();
     for _ in 0..RAYS {
-        let (vertices, tile) = corners[random.index(corners.len())];
+        let (vertices, tile): &(Vec<DVec3>, _) = &corners[random.index(corners.len())];
         let i = random.index(tile.len());
         let j = (i + 1) % tile.len();
         if tiling.covered <= tile[i].length().max(tile[j].length()) && tile[i] != DVec2::ZERO {

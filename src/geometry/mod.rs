@@ -7,6 +7,7 @@
 mod alignment;
 mod r#box;
 mod cone;
+mod corners;
 mod ellipsoid;
 mod plane;
 mod point_in_polygon;

@@ -58,11 +58,29 @@ impl Axis {
     /// The point without this coordinate: its orthographic projection along the axis.
     #[inline]
     pub fn drop_from(self, p: DVec3) -> DVec2 {
+        let [u, v] = self.others();
+        let p = p.to_array();
+        DVec2::new(p[u], p[v])
+    }
+
+    /// The point whose projection along the axis is this one: the inverse of [`Axis::drop_from`].
+    #[inline]
+    pub(super) fn put_back(self, p: DVec2, coordinate: f64) -> DVec3 {
         match self {
-            Self::X => DVec2::new(p.y, p.z),
-            Self::Y => DVec2::new(p.x, p.z),
-            Self::Z => DVec2::new(p.x, p.y),
+            Self::X => DVec3::new(coordinate, p.x, p.y),
+            Self::Y => DVec3::new(p.x, coordinate, p.y),
+            Self::Z => DVec3::new(p.x, p.y, coordinate),
         }
+    }
+
+    /// The places of the two other coordinates. To read them by place is quicker than to branch: which
+    /// axis it is changes from polygon to polygon, and no processor foresees it.
+    #[inline]
+    pub(super) fn others(self) -> [usize; 2] {
+        [
+            usize::from(self == Self::X),
+            2 - usize::from(self == Self::Z),
+        ]
     }
 
     /// This coordinate of a point.
@@ -122,6 +140,11 @@ impl PlaneTest {
 /// A sum of three products counts as 0 within this share of the sum of their magnitudes: the rounding
 /// of the products and of the sum.
 const ZERO: f64 = 4.0 * f64::EPSILON;
+
+/// A ray is flat below this share of |Δx| + |Δy| + |Δz|, which is about 1° above the plane. The rounding of
+/// (v) is stretched by no more than 64 above it, to some 10⁻¹³ of the numbers that enter, and without limit
+/// below. A power of 2, so that the product is exact.
+pub(super) const FLAT: f64 = 1.0 / 64.0;
 
 impl Plane {
     /// The plane of a polygon, after Newell: each component of the normal is the area of the outline
@@ -184,27 +207,57 @@ impl Plane {
     /// ```
     #[inline]
     pub fn test(&self, ray: &Ray, range: TRange, sides: Sides) -> PlaneTest {
+        self.test_settled(ray, range, sides, |t| t)
+    }
+
+    /// The same, with `settled` of t in its place where the ray runs flat.
+    #[inline]
+    pub(super) fn test_settled(
+        &self,
+        ray: &Ray,
+        range: TRange,
+        sides: Sides,
+        settled: impl FnOnce(f64) -> f64,
+    ) -> PlaneTest {
         let numerator = self.distance(ray.origin);
         let denominator = self.normal.dot(ray.direction);
+        let is_flat = self.is_flat(ray);
 
-        let steepness = self.normal.abs().dot(ray.direction.abs());
-        let verdict = if denominator.abs() <= ZERO * steepness {
-            let reach = self.normal.abs().dot(ray.origin.abs()) + self.d.abs();
-            if numerator.abs() <= ZERO * reach {
-                PlaneVerdict::ParallelWithin
-            } else {
-                PlaneVerdict::ParallelBeside
-            }
-        } else {
-            let t = -numerator / denominator;
+        let parallel = if is_flat { self.parallel(ray) } else { None };
+        let verdict = parallel.unwrap_or_else(|| {
+            let quotient = -numerator / denominator;
+            let t = if is_flat { settled(quotient) } else { quotient };
             let refused = |_| hidden_side(denominator < 0.0, sides);
             PlaneVerdict::Meets(judged(t, range, refused))
-        };
+        });
         PlaneTest {
             plane: *self,
             numerator,
             denominator,
             verdict,
+        }
+    }
+
+    /// Does the ray run so flat along the plane that its t has lost digits?
+    ///
+    /// |A·Δx + B·Δy + C·Δz| ≤ (|Δx| + |Δy| + |Δz|)/64
+    #[inline]
+    pub(super) fn is_flat(&self, ray: &Ray) -> bool {
+        self.normal.dot(ray.direction).abs() <= FLAT * ray.direction.abs().element_sum()
+    }
+
+    /// Is the ray parallel to the plane, within the rounding of the denominator? Only a flat ray can be.
+    #[cold]
+    fn parallel(&self, ray: &Ray) -> Option<PlaneVerdict> {
+        let steepness = self.normal.abs().dot(ray.direction.abs());
+        if ZERO * steepness < self.normal.dot(ray.direction).abs() {
+            return None;
+        }
+        let reach = self.normal.abs().dot(ray.origin.abs()) + self.d.abs();
+        if self.distance(ray.origin).abs() <= ZERO * reach {
+            Some(PlaneVerdict::ParallelWithin)
+        } else {
+            Some(PlaneVerdict::ParallelBeside)
         }
     }
 }

@@ -21,6 +21,8 @@
 use glam::{DVec2, DVec3};
 use robust::{Coord, Coord3D, orient2d, orient3d};
 
+use crate::geometry::corners::Corners;
+use crate::geometry::plane::FLAT;
 use crate::geometry::{Axis, Polygon, Ray};
 
 /// What decided about the edges of a polygon?
@@ -90,23 +92,26 @@ impl Polygon {
     /// ```
     #[inline]
     pub fn contains(&self, ray: &Ray, t: f64) -> PolygonTest {
+        let dropped = self.dropped();
         let point = ray.at(t);
-        let projected = self.dropped.drop_from(point);
-        let blur = self.blur(ray, t);
-
-        let mut crossings = 0;
-        let mut decided_by = DecidedBy::Point;
-        for index in 0..self.outline.len() {
-            let Some(edge) = self.edge_by_point(index, projected, blur) else {
-                decided_by = DecidedBy::Ray;
-                crossings = self.crossings_by_ray(ray);
-                break;
-            };
-            crossings += u32::from(edge.counts);
-        }
+        let projected = dropped.drop_from(point);
+        let counted = if self.plane.is_flat(ray) {
+            None
+        } else {
+            let margin = self.margin(ray, t);
+            // the same for three corners as for many, but three are counted without a loop
+            match &self.corners {
+                Corners::Triangle { outline, .. } => clear_crossings(outline, projected, margin),
+                Corners::Many { outline, .. } => clear_crossings(outline, projected, margin),
+            }
+        };
+        let (crossings, decided_by) = match counted {
+            Some(crossings) => (crossings, DecidedBy::Point),
+            None => self.crossings_near_an_edge(ray, t, projected),
+        };
         PolygonTest {
-            dropped: self.dropped,
-            coefficient: self.dropped.of(self.plane.normal),
+            dropped,
+            coefficient: dropped.of(self.plane.normal),
             point,
             projected,
             crossings,
@@ -122,7 +127,7 @@ impl Polygon {
         test: PolygonTest,
     ) -> impl Iterator<Item = EdgeTest> + 'a {
         let line = RayLine::new(ray);
-        (0..self.outline.len()).filter_map(move |index| match test.decided_by {
+        (0..self.outline().len()).filter_map(move |index| match test.decided_by {
             // a blur of 0 leaves no edge uncertain but those through p′, and there are none
             DecidedBy::Point => self.edge_by_point(index, test.projected, 0.0),
             DecidedBy::Ray => Some(self.edge_by_ray(index, &line)),
@@ -136,20 +141,31 @@ impl Polygon {
     /// the rounding of o + t·Δ, and the vertices' distance from the plane. 32ε covers the some twenty
     /// roundings of the first two. The third has the rounding of the largest vertex in it, and with that
     /// the sign of `side` for an edge that p′ is level with but not near.
+    pub(super) fn blur(&self, ray: &Ray, t: f64) -> f64 {
+        let spread = ray.direction.abs().element_sum();
+        let flatness = spread / self.plane.normal.dot(ray.direction).abs();
+        self.upright_blur(ray, t) * flatness
+    }
+
+    /// The same for a ray along the normal: the errors before they are stretched.
     #[inline]
-    fn blur(&self, ray: &Ray, t: f64) -> f64 {
+    fn upright_blur(&self, ray: &Ray, t: f64) -> f64 {
         let spread = ray.direction.abs().element_sum();
         let reach = ray.origin.abs().element_sum() + t.abs() * spread + self.plane.d.abs();
-        let rounding = 32.0 * f64::EPSILON * reach;
-        let flatness = spread / self.plane.normal.dot(ray.direction).abs();
-        (rounding + self.off_plane) * flatness
+        32.0 * f64::EPSILON * reach + self.off_plane
+    }
+
+    /// Further than this from the line of an edge, a ray that is not flat is clear of it: four times a blur
+    /// that is stretched by 64.
+    #[inline]
+    fn margin(&self, ray: &Ray, t: f64) -> f64 {
+        4.0 / FLAT * self.upright_blur(ray, t)
     }
 
     /// Does the edge cross the half-line from p′ along u? `None` if p′ is within `blur` of the edge.
-    #[inline]
     fn edge_by_point(&self, index: usize, p: DVec2, blur: f64) -> Option<EdgeTest> {
-        let from = self.outline[index];
-        let to = self.outline[self.next(index)];
+        let outline = self.outline();
+        let (from, to) = (outline[index], outline[self.next(index)]);
         let along = to - from;
         let straddles = (p.y < from.y) != (p.y < to.y);
         // twice the area of (from, to, p′); over along.y it is how far to the right the edge passes
@@ -176,17 +192,33 @@ impl Polygon {
         })
     }
 
+    /// The crossings, and who decides about them, where p′ is near the line of an edge: perhaps not near
+    /// the edge itself.
     #[cold]
+    fn crossings_near_an_edge(&self, ray: &Ray, t: f64, p: DVec2) -> (u32, DecidedBy) {
+        // a flat ray's t may have been moved by as much as its error is
+        let moved = if self.plane.is_flat(ray) { 2.0 } else { 1.0 };
+        let blur = moved * self.blur(ray, t);
+        let mut crossings = 0;
+        for index in 0..self.outline().len() {
+            match self.edge_by_point(index, p, blur) {
+                Some(edge) => crossings += u32::from(edge.counts),
+                None => return (self.crossings_by_ray(ray), DecidedBy::Ray),
+            }
+        }
+        (crossings, DecidedBy::Point)
+    }
+
     fn crossings_by_ray(&self, ray: &Ray) -> u32 {
         let line = RayLine::new(ray);
         let counts = |index| u32::from(self.edge_by_ray(index, &line).counts);
-        (0..self.outline.len()).map(counts).sum()
+        (0..self.outline().len()).map(counts).sum()
     }
 
     /// Does the edge cross the half-plane that the ray sweeps along its shortest axis?
     fn edge_by_ray(&self, index: usize, line: &RayLine) -> EdgeTest {
         let next = self.next(index);
-        let (from, to) = (self.vertices[index], self.vertices[next]);
+        let (from, to) = (self.vertex(index), self.vertex(next));
         let (from_above, to_above) = (line.has_above(from), line.has_above(to));
         let straddles = from_above != to_above;
         // one canonical order: from the end below to the end above, whichever polygon asks
@@ -194,8 +226,8 @@ impl Polygon {
         let side = line.volume(below, above);
         EdgeTest {
             index: index as u32,
-            from: self.outline[index],
-            to: self.outline[next],
+            from: self.outline()[index],
+            to: self.outline()[next],
             straddles,
             side,
             counts: straddles && 0.0 <= side,
@@ -203,14 +235,37 @@ impl Polygon {
         }
     }
 
-    #[inline]
     fn next(&self, index: usize) -> usize {
-        if index + 1 == self.outline.len() {
+        if index + 1 == self.outline().len() {
             0
         } else {
             index + 1
         }
     }
+}
+
+/// How many edges cross the half-line from p′ along u? `None` if p′ is not clear of the line of each by
+/// `margin`, four times its blur or more.
+///
+/// Clear of it, an edge counts as in the working (`edge_by_point`). That doubts an edge where p′ is within
+/// its blur and the rounding of `side`; the latter is
+/// 16ε(|Δu·(p_v − v)| + |Δv·(p_u − u)|) ≤ 16ε(|Δu| + |Δv|)(|p′| + |vertex|), and so no more than twice
+/// (|Δu| + |Δv|)·blur, since the blur has 32ε|p′| and 8ε|vertex| in it.
+#[inline]
+fn clear_crossings(outline: &[DVec2], p: DVec2, margin: f64) -> Option<u32> {
+    let mut crossings = 0;
+    let mut is_clear = true;
+    let mut from = *outline.last()?;
+    for &to in outline {
+        let along = to - from;
+        let (from_above, to_above) = (p.y < from.y, p.y < to.y);
+        let side = along.x * (p.y - from.y) - along.y * (p.x - from.x);
+        is_clear &= margin * (along.x.abs() + along.y.abs()) < side.abs();
+        // an edge that straddles rises if its second end is above
+        crossings += u32::from(from_above != to_above && (0.0 < side) == to_above);
+        from = to;
+    }
+    is_clear.then_some(crossings)
 }
 
 /// The line of a ray, given by two points so that the exact predicates can be asked about it.

@@ -8,7 +8,9 @@ use std::fmt;
 
 use glam::{DVec2, DVec3};
 
-use crate::geometry::{Axis, Plane, PlaneTest, Ray, Sides, TRange};
+use crate::geometry::corners::Corners;
+use crate::geometry::plane::FLAT;
+use crate::geometry::{Axis, AxisBox, Plane, PlaneTest, Ray, Sides, SlabInterval, SlabRay, TRange};
 
 /// A polygon in space with everything that does not depend on a ray.
 #[derive(Clone, Debug, PartialEq)]
@@ -16,13 +18,8 @@ pub struct Polygon {
     pub(super) plane: Plane,
     /// The largest distance of a vertex from the plane, and the rounding of that.
     pub(super) off_plane: f64,
-    /// The coordinate with the largest coefficient in (iv).
-    pub(super) dropped: Axis,
-    pub(super) vertices: Box<[DVec3]>,
-    /// The vertices without the dropped coordinate.
-    pub(super) outline: Box<[DVec2]>,
-    /// One unit normal per vertex, for smooth shading.
-    normals: Option<Box<[DVec3]>>,
+    /// The projected outline, what the projection drops, and the normals for smooth shading.
+    pub(super) corners: Corners,
 }
 
 /// A vertex may lie off the plane by this share of the polygon's size: coordinates that were written
@@ -31,7 +28,7 @@ pub(crate) const PLANARITY: f64 = 1e-5;
 
 /// A ray that meets the plane more flatly than 1 in 64 has its t kept to the vertices' extent; one that does
 /// not can meet the plane up to 64 times the vertices' distance from it away from them.
-const FLATTEST: f64 = 64.0;
+const FLATTEST: f64 = 1.0 / FLAT;
 
 /// Why a list of vertices is no polygon.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -112,31 +109,39 @@ impl Polygon {
         let plane = Plane::newell(&vertices).ok_or(PolygonError::NoArea)?;
         let off_plane = planarity(&plane, &vertices)?;
         let dropped = Axis::of_largest(plane.normal);
+        let normals = normals
+            .map(|normals| unit_normals(normals, vertices.len()))
+            .transpose()?;
         Ok(Self {
             plane,
             off_plane,
-            dropped,
-            outline: vertices.iter().map(|&v| dropped.drop_from(v)).collect(),
-            normals: normals
-                .map(|n| unit_normals(n, vertices.len()))
-                .transpose()?,
-            vertices: vertices.into(),
+            corners: Corners::new(vertices, normals, dropped),
         })
     }
 
     /// The vertices, in order.
-    pub fn vertices(&self) -> &[DVec3] {
-        &self.vertices
+    pub fn vertices(&self) -> impl ExactSizeIterator<Item = DVec3> + Clone {
+        let dropped = self.dropped();
+        let pairs = self.outline().iter().zip(self.corners.heights());
+        pairs.map(move |(&p, &height)| dropped.put_back(p, height))
+    }
+
+    /// One of the vertices, counted from 0.
+    #[inline]
+    pub(super) fn vertex(&self, index: usize) -> DVec3 {
+        let (p, height) = (self.outline()[index], self.corners.heights()[index]);
+        self.dropped().put_back(p, height)
     }
 
     /// The vertices projected along [`Polygon::dropped`].
+    #[inline]
     pub fn outline(&self) -> &[DVec2] {
-        &self.outline
+        self.corners.outline()
     }
 
     /// One unit normal per vertex, if the polygon is to be shaded smoothly.
     pub fn normals(&self) -> Option<&[DVec3]> {
-        self.normals.as_deref()
+        self.corners.normals()
     }
 
     /// The polygon's plane.
@@ -151,15 +156,88 @@ impl Polygon {
 
     /// The coordinate that the projection drops: the one whose coefficient in (iv) has the largest
     /// absolute value.
+    #[inline]
     pub fn dropped(&self) -> Axis {
-        self.dropped
+        self.corners.dropped()
     }
 
     /// Where does the ray meet the polygon's plane? Whether that point lies inside is
     /// [`Polygon::contains`].
+    ///
+    /// t of (v), unless the ray is flat: |A·Δx + B·Δy + C·Δz| ≤ (|Δx| + |Δy| + |Δz|)/64. Then the division
+    /// stretches the rounding of the numerator, and t may lie before or behind the whole polygon. Within that
+    /// error it is brought to the nearest t at which the ray is in the polygon's extent, so that whoever
+    /// looks for hits there finds this one. It depends on nothing but the ray and the polygon.
+    ///
+    /// ```
+    /// use glam::DVec3;
+    /// use raystep::{Polygon, Ray, Sides, TRange};
+    ///
+    /// let corners = [[0.0, 0.0, 5.0], [4.0, 0.0, 5.0], [0.0, 4.0, 5.0]].map(DVec3::from_array);
+    /// let triangle = Polygon::new(corners.to_vec(), None).unwrap();
+    /// let ray = Ray::new(DVec3::new(1.0, 1.0, 0.0), DVec3::Z);
+    /// let test = triangle.plane_test(&ray, TRange::FORWARD, Sides::Both);
+    /// assert_eq!(test.chosen(), Some(5.0));
+    /// ```
     #[inline]
     pub fn plane_test(&self, ray: &Ray, range: TRange, sides: Sides) -> PlaneTest {
-        self.plane.test(ray, range, sides)
+        let settled = |t| self.nearest_in_extent(ray, t);
+        self.plane.test_settled(ray, range, sides, settled)
+    }
+
+    /// The t closest to this one at which the ray is in the polygon's extent, if the error of t reaches as
+    /// far; else t itself, for then the ray misses the polygon.
+    #[cold]
+    fn nearest_in_extent(&self, ray: &Ray, t: f64) -> f64 {
+        let [one, other] = self.stretch(ray);
+        let brought = t.max(one.min(other)).min(one.max(other));
+        let error = self.blur(ray, t) / ray.direction.abs().element_sum();
+        if (brought - t).abs() <= error {
+            brought
+        } else {
+            t
+        }
+    }
+
+    /// Where the ray enters and leaves the extent: near = max(nearₓ, near_y, near_z),
+    /// far = min(farₓ, far_y, far_z).
+    ///
+    /// A slab that the ray is parallel to is left out. A ray through a corner of the extent has near = far,
+    /// and by rounding far may come out below near.
+    fn stretch(&self, ray: &Ray) -> [f64; 2] {
+        let AxisBox { min, max } = self.extent();
+        let (mut near, mut far) = (f64::NEG_INFINITY, f64::INFINITY);
+        for (axis, low, high) in [
+            (DVec3::X, min.x, max.x),
+            (DVec3::Y, min.y, max.y),
+            (DVec3::Z, min.z, max.z),
+        ] {
+            // each slab is −high ≤ D ≤ −low along its axis
+            let slab = SlabRay::new(ray, axis).interval(-high, -low);
+            if let SlabInterval::Between { near: n, far: f } = slab {
+                near = near.max(n);
+                far = far.min(f);
+            }
+        }
+        [near, far]
+    }
+
+    /// The polygon's extent: the axis-aligned box of its vertices, wider on all sides by how far these are
+    /// off the plane.
+    ///
+    /// A flat ray that hits has its t in here ([`Polygon::plane_test`]). That of any other may lie outside by
+    /// its own error, 64 times the rounding of its numbers and 64 times the width that was added: 10⁻¹³ of
+    /// the coordinates for a triangle, and more for a polygon whose vertices are rounded.
+    pub fn extent(&self) -> AxisBox {
+        let (mut low, mut high) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
+        for vertex in self.vertices() {
+            low = low.min(vertex);
+            high = high.max(vertex);
+        }
+        AxisBox {
+            min: low - self.off_plane,
+            max: high + self.off_plane,
+        }
     }
 }
 
@@ -212,6 +290,7 @@ fn unit_normals(normals: Vec<DVec3>, vertices: usize) -> Result<Box<[DVec3]>, Po
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::geometry::PlaneVerdict;
 
     fn points(list: &[[f64; 3]]) -> Vec<DVec3> {
         list.iter().map(|&p| p.into()).collect()
@@ -236,6 +315,94 @@ mod tests {
         assert_eq!(polygon.dropped(), Axis::Y);
         assert_eq!(polygon.outline()[0], DVec2::new(-9.0, -9.0));
         assert_eq!(polygon.outline()[1], DVec2::new(-9.0, 9.0));
+    }
+
+    #[test]
+    fn vertices_are_put_together_again_bit_for_bit() {
+        for corners in [
+            vec![[0.1, -0.0, 0.3], [1.7, 0.2, 0.1], [0.4, 1.1, 0.9]],
+            vec![
+                [5.0, 0.1, 0.2],
+                [5.0, 3.3, 0.0],
+                [5.0, 3.0, 3.0],
+                [5.0, -0.0, 3.1],
+            ],
+            vec![[0.1, -7.0, 0.2], [3.3, -7.0, 0.0], [3.0, -7.0, 3.0]],
+        ] {
+            let corners = points(&corners);
+            let polygon = Polygon::new(corners.clone(), None).unwrap();
+            let bits = |v: DVec3| v.to_array().map(f64::to_bits);
+            assert!(
+                polygon
+                    .vertices()
+                    .map(bits)
+                    .eq(corners.into_iter().map(bits))
+            );
+        }
+    }
+
+    /// t of (v) as it is divided, t of the test, and whether it is inside.
+    fn flat(polygon: &Polygon, ray: &Ray) -> (f64, f64, bool) {
+        let meet = |range| match polygon.plane_test(ray, range, Sides::Both) {
+            PlaneTest {
+                verdict: PlaneVerdict::Meets(root),
+                numerator,
+                denominator,
+                ..
+            } => (-numerator / denominator, root.t),
+            other => panic!("{other:?}"),
+        };
+        let (quotient, t) = meet(TRange::FORWARD);
+        let near = TRange {
+            min: 1e-3,
+            max: 1.0,
+        };
+        assert_eq!(
+            meet(near).1.to_bits(),
+            t.to_bits(),
+            "t depends on the range"
+        );
+        (quotient, t, polygon.contains(ray, t).inside)
+    }
+
+    #[test]
+    fn a_flat_ray_hits_within_the_extent_whatever_its_division_gives() {
+        let [a, b, c] = [[1.0, 2.0, 3.0], [5.0, 3.0, 1.0], [2.0, 6.0, 4.0]].map(DVec3::from);
+        let triangle = Polygon::new(vec![a, b, c], None).unwrap();
+        // inside, next to b: b + (a − b)/2048 + (c − b)/2048, with (−4, −1, 2) and (−3, 3, 3)
+        let p = b + DVec3::new(-7.0, 2.0, 5.0) / 2048.0;
+        let mut outside = 0;
+        // along a → b = (4, 1, −2), tilted by about 10⁻⁹ and 10⁻¹² either way
+        for tilt in [30, -30, 40, -40]
+            .map(|power: i32| f64::from(power.signum()) * 0.5f64.powi(power.abs()))
+        {
+            let direction = DVec3::new(4.0, 1.0, -2.0 + tilt);
+            for exact in [8.0, 64.0, 512.0, 1024.0] {
+                // no product or sum here has more than 53 bits: the ray goes through p at t = `exact`
+                let ray = Ray::new(p - exact * direction, direction);
+                // whether it is inside is rounding: the ray sees the triangle 10⁻¹² as high as it is long
+                let (quotient, t, _) = flat(&triangle, &ray);
+                // x is 1 a little less than 1 before p, and 5 at 7/(4·2048) behind it
+                let (near, far) = (exact - 1.0 + 7.0 / 8192.0, exact + 7.0 / 8192.0);
+                assert!(near - 1e-12 <= t && t <= far + 1e-12, "{near} {t} {far}");
+                outside += usize::from(!(near..=far).contains(&quotient));
+            }
+        }
+        // else this test would hold without bringing t anywhere
+        assert!(2 <= outside, "{outside}");
+    }
+
+    #[test]
+    fn a_flat_ray_that_passes_through_the_extent_beside_the_polygon_keeps_its_t() {
+        // x = z, met under 0.3°: x − z is ¼ at t = 4, in the middle of the extent, and 0 at 4 + 128/4
+        let slanted = points(&[[0.0; 3], [1.0, 0.0, 1.0], [0.0, 1.0, 0.0]]);
+        let triangle = Polygon::new(slanted, None).unwrap();
+        let direction = DVec3::new(1.0, 0.0, 1.0 + 1.0 / 128.0);
+        let ray = Ray::new(DVec3::new(0.25, 0.25, 0.0) - 4.0 * direction, direction);
+        let (quotient, t, is_inside) = flat(&triangle, &ray);
+        assert_eq!(t, quotient);
+        assert!((t - 36.0).abs() <= 1e-11, "{t}");
+        assert!(!is_inside);
     }
 
     #[test]

@@ -12,6 +12,7 @@ use serde::de::{Deserialize, Deserializer, MapAccess, Visitor};
 use serde::{Serialize, Serializer};
 
 use crate::geometry::Sides;
+pub use crate::scene::faces::{Face, FaceList, Points};
 
 /// A whole scene.
 #[derive(Clone, Debug, PartialEq, Serialize, serde::Deserialize, JsonSchema)]
@@ -288,8 +289,8 @@ pub enum ShapeFile {
 #[serde(deny_unknown_fields)]
 pub struct PolygonFile {
     /// Its vertices, counter-clockwise from the front.
-    #[schemars(length(min = 3))]
-    pub vertices: Vec<[f64; 3]>,
+    #[schemars(with = "Vec<[f64; 3]>", length(min = 3))]
+    pub vertices: Points,
     /// One normal per vertex, for smooth shading.
     #[serde(
         default,
@@ -297,7 +298,7 @@ pub struct PolygonFile {
         deserialize_with = "given"
     )]
     #[schemars(with = "Vec<[f64; 3]>")]
-    pub normals: Option<Vec<[f64; 3]>>,
+    pub normals: Option<Box<[[f64; 3]]>>,
 }
 
 /// A mesh: exactly one of `file` and `faces`.
@@ -320,7 +321,7 @@ pub struct MeshFile {
         deserialize_with = "given"
     )]
     #[schemars(with = "Vec<PolygonFile>")]
-    pub faces: Option<Vec<PolygonFile>>,
+    pub faces: Option<FaceList>,
 }
 
 /// A key that is there has a value: null is refused.

@@ -2,6 +2,7 @@
 
 mod camera;
 mod check;
+mod faces;
 mod fault;
 pub mod file;
 mod light;

@@ -1,14 +1,17 @@
 //! The scene as the tracer sees it: checked, and with everything constant computed in advance.
 
+use std::collections::HashMap;
+
 use glam::DVec3;
 
 use crate::geometry::Sides;
 use crate::scene::check::{checked_colour, checked_point, checked_positive, checked_weight};
 use crate::scene::fault::{DEEPEST, Fault, SceneFault};
 use crate::scene::file::{
-    CameraFile, LightFile, Material, Materials, MeshFile, ObjectFile, SceneFile, ShapeFile,
+    CameraFile, FaceList, LightFile, Material, Materials, MeshFile, ObjectFile, SceneFile,
+    ShapeFile,
 };
-use crate::scene::shapes::{polygon_file, shape_file, shapes};
+use crate::scene::shapes::{shape_file, shapes};
 use crate::scene::{Camera, Emission, Light, Object, Primitive, PrimitiveId, Shape};
 
 /// Everything that is there before a ray is cast. Made by [`Scene::new`] and not changed after.
@@ -57,15 +60,26 @@ impl Scene {
             lights: lights(file.lights)?,
             materials: materials(file.materials)?,
             objects: Vec::with_capacity(file.objects.len()),
-            primitives: Vec::with_capacity(file.objects.len()),
+            primitives: Vec::with_capacity(file.objects.iter().map(primitive_count).sum()),
             max_depth: file.max_depth,
             slabs: file.slabs.map(slabs).transpose()?,
         };
-        let mut names = Names::default();
-        for (i, object) in file.objects.into_iter().enumerate() {
-            let path = format!("objects[{i}]");
-            names.add(&path, &object.name)?;
-            scene.add(&path, object)?;
+        let names = file.objects.iter().map(|object| object.name.as_str());
+        let wrong_name = wrong_name("objects", names);
+
+        // the last is taken first from a list, and gives back its memory while the scene grows
+        let mut waiting = file.objects;
+        waiting.reverse();
+        while let Some(object) = waiting.pop() {
+            let i = scene.objects.len();
+            if let Some((_, fault)) = wrong_name.as_ref().filter(|(wrong, _)| *wrong == i) {
+                return Err(fault.clone());
+            }
+            scene.add(&format!("objects[{i}]"), object)?;
+            // an eighth at a time, so that a list that moves when it shrinks moves seldom
+            if waiting.len() <= waiting.capacity() / 8 * 7 {
+                waiting.shrink_to_fit();
+            }
         }
         Ok(scene)
     }
@@ -130,13 +144,16 @@ impl Scene {
         let first = object.first.0 as usize;
         let primitives = &self.primitives[first..first + object.count as usize];
         let shape = if object.is_mesh {
-            let faces = primitives.iter().filter_map(|p| match &p.shape {
-                Shape::Polygon(polygon) => Some(polygon_file(polygon)),
-                _ => None,
-            });
+            let mut faces = FaceList::default();
+            for primitive in primitives {
+                if let Shape::Polygon(polygon) = &primitive.shape {
+                    let vertices: Vec<_> = polygon.vertices().collect();
+                    faces.push(&vertices, polygon.normals());
+                }
+            }
             ShapeFile::Mesh(MeshFile {
                 file: None,
-                faces: Some(faces.collect()),
+                faces: Some(faces),
             })
         } else {
             shape_file(&primitives[0].shape)
@@ -198,25 +215,32 @@ pub fn nearest_name<'a>(name: &str, known: impl Iterator<Item = &'a str>) -> Opt
         .map(|(_, candidate)| candidate.into())
 }
 
-/// The names given so far, each with the path of its object.
-#[derive(Default)]
-struct Names(std::collections::HashMap<String, String>);
-
-impl Names {
-    fn add(&mut self, path: &str, name: &str) -> Result<(), SceneFault> {
-        let at_name = || format!("{path}.name");
-        if name.is_empty() {
-            return Err(Fault::EmptyName.at(at_name()));
-        }
-        match self.0.insert(name.into(), path.into()) {
-            None => Ok(()),
-            Some(first) => Err(Fault::SameName {
-                name: name.into(),
-                first,
-            }
-            .at(at_name())),
-        }
+/// How many primitives an object will have.
+fn primitive_count(object: &ObjectFile) -> usize {
+    match &object.shape {
+        ShapeFile::Mesh(mesh) => mesh.faces.as_ref().map_or(0, FaceList::len),
+        _ => 1,
     }
+}
+
+/// The first name of a list that is empty or was there before: its place, and the mistake.
+fn wrong_name<'a>(
+    list: &str,
+    names: impl ExactSizeIterator<Item = &'a str>,
+) -> Option<(usize, SceneFault)> {
+    let mut known = HashMap::with_capacity(names.len());
+    for (i, name) in names.enumerate() {
+        let fault = match known.insert(name, i) {
+            _ if name.is_empty() => Fault::EmptyName,
+            None => continue,
+            Some(first) => Fault::SameName {
+                name: name.into(),
+                first: format!("{list}[{first}]"),
+            },
+        };
+        return Some((i, fault.at(format!("{list}[{i}].name"))));
+    }
+    None
 }
 
 fn materials(file: Materials) -> Result<Materials, SceneFault> {
@@ -237,17 +261,19 @@ fn materials(file: Materials) -> Result<Materials, SceneFault> {
     Ok(file)
 }
 
-fn lights(files: Vec<LightFile>) -> Result<Vec<Light>, SceneFault> {
-    let mut names = Names::default();
+fn lights(mut files: Vec<LightFile>) -> Result<Vec<Light>, SceneFault> {
+    for (i, file) in files.iter_mut().enumerate() {
+        if file.name.is_empty() {
+            file.name = format!("light-{}", i + 1);
+        }
+    }
+    let wrong_name = wrong_name("lights", files.iter().map(|file| file.name.as_str()));
     let mut lights = Vec::with_capacity(files.len());
     for (i, file) in files.into_iter().enumerate() {
         let path = format!("lights[{i}]");
-        let name = if file.name.is_empty() {
-            format!("light-{}", i + 1)
-        } else {
-            file.name
-        };
-        names.add(&path, &name)?;
+        if let Some((_, fault)) = wrong_name.as_ref().filter(|(wrong, _)| *wrong == i) {
+            return Err(fault.clone());
+        }
         let emission = match (file.colour, file.power) {
             (Some(colour), None) => {
                 Emission::Colour(checked_colour(&format!("{path}.colour"), colour)?)
@@ -269,7 +295,7 @@ fn lights(files: Vec<LightFile>) -> Result<Vec<Light>, SceneFault> {
         };
         let position = checked_point(&format!("{path}.position"), file.position)?;
         lights.push(Light {
-            name,
+            name: file.name,
             position,
             emission,
         });

@@ -61,17 +61,17 @@ pub(super) fn shapes(
             add(Shape::Cone(cone.ok_or_else(|| Fault::BadCone.at(path))?));
         }
         ShapeFile::Polygon(file) => {
-            add(Shape::Polygon(polygon(&format!("{path}.polygon"), file)?));
+            let normals = file.normals.as_deref();
+            let polygon = polygon(&file.vertices, normals, || format!("{path}.polygon"))?;
+            add(Shape::Polygon(polygon));
         }
         ShapeFile::Mesh(MeshFile {
             file: None,
             faces: Some(faces),
         }) => {
-            for (i, face) in faces.into_iter().enumerate() {
-                add(Shape::Polygon(polygon(
-                    &format!("{path}.mesh.faces[{i}]"),
-                    face,
-                )?));
+            for (i, face) in faces.iter().enumerate() {
+                let at = || format!("{path}.mesh.faces[{i}]");
+                add(Shape::Polygon(polygon(face.vertices, face.normals, at)?));
             }
         }
         ShapeFile::Mesh(MeshFile {
@@ -92,16 +92,21 @@ pub(super) fn shapes(
     Ok(())
 }
 
-fn polygon(path: &str, file: PolygonFile) -> Result<Polygon, SceneFault> {
-    let points = |list: Vec<[f64; 3]>| -> Result<Vec<DVec3>, SceneFault> {
+/// A polygon, checked; `at` tells where it stands, if there is a mistake in it.
+fn polygon(
+    vertices: &[[f64; 3]],
+    normals: Option<&[[f64; 3]]>,
+    at: impl Fn() -> String,
+) -> Result<Polygon, SceneFault> {
+    let points = |list: &[[f64; 3]]| -> Result<Vec<DVec3>, SceneFault> {
         for &value in list.as_flattened() {
-            checked(path, value)?;
+            checked("", value).map_err(|wrong| wrong.fault.at(at()))?;
         }
-        Ok(list.into_iter().map(DVec3::from).collect())
+        Ok(list.iter().map(|&point| point.into()).collect())
     };
-    let vertices = points(file.vertices)?;
-    let normals = file.normals.map(points).transpose()?;
-    Polygon::new(vertices, normals).map_err(|error| Fault::Polygon(error).at(path))
+    let vertices = points(vertices)?;
+    let normals = normals.map(points).transpose()?;
+    Polygon::new(vertices, normals).map_err(|error| Fault::Polygon(error).at(at()))
 }
 
 /// A shape as a file has it.
@@ -130,10 +135,11 @@ pub(super) fn shape_file(shape: &Shape) -> ShapeFile {
 }
 
 /// A polygon as a file has it.
-pub(super) fn polygon_file(polygon: &Polygon) -> PolygonFile {
-    let list = |points: &[DVec3]| points.iter().map(|&p| p.into()).collect();
+fn polygon_file(polygon: &Polygon) -> PolygonFile {
+    let vertices: Vec<_> = polygon.vertices().map(Into::into).collect();
+    let normals = polygon.normals();
     PolygonFile {
-        vertices: list(polygon.vertices()),
-        normals: polygon.normals().map(list),
+        vertices: vertices.into(),
+        normals: normals.map(|normals| normals.iter().map(|&n| n.into()).collect()),
     }
 }

@@ -236,7 +236,7 @@ impl<'a, const N: usize> Nodes<'a, N> {
         });
         let range = search.range();
         let waiting = Waiting {
-            near: inside.near,
+            near: inside.begins(range),
             node,
             depth,
         };

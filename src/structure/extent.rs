@@ -42,8 +42,7 @@ pub fn extent(shape: &Shape, n: DVec3) -> [f64; 2] {
         }
         Shape::Polygon(polygon) => polygon
             .vertices()
-            .iter()
-            .map(|&vertex| around(n.dot(vertex), polygon.play()))
+            .map(|vertex| around(n.dot(vertex), polygon.play()))
             .fold([f64::INFINITY, f64::NEG_INFINITY], union),
     };
     let rounding = ROUNDING * shape.reach();

@@ -71,7 +71,13 @@ impl Inside {
     /// Is any of it in the range? Equality counts.
     #[inline]
     pub fn meets(&self, range: TRange) -> bool {
-        larger(self.near, range.min) <= smaller(self.far, range.max)
+        self.begins(range) <= smaller(self.far, range.max)
+    }
+
+    /// Where the ray comes into it: not before its own range begins.
+    #[inline]
+    pub fn begins(&self, range: TRange) -> f64 {
+        larger(self.near, range.min)
     }
 
     /// Both ends, unless they have crossed.

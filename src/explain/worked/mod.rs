@@ -125,6 +125,9 @@ impl Solution<'_> {
         self.page.gap();
         self.page.line(Tone::Heading, "Built before the first ray");
         self.page.indent();
+        let note =
+            "each bound is wider than its objects by 1e-10 of their coordinates, against rounding";
+        self.page.line(Tone::Aside, note);
         for event in built.iter().take(shown) {
             match event {
                 Event::Merge(step) => self.merge(step),

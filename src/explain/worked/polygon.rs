@@ -98,6 +98,8 @@ impl Solution<'_> {
             return;
         };
         self.page.plain(equation);
+        // a flat ray's t may have been moved from here, most often by less than is printed
+        let quotient = -test.numerator / test.denominator;
         match course.start.filter(|_| full) {
             Some(start) => {
                 self.page
@@ -112,15 +114,21 @@ impl Solution<'_> {
                     "  = -{}/{} = {}",
                     d.factor(test.numerator),
                     d.factor(test.denominator),
-                    d.number(root.t)
+                    d.number(quotient)
                 ));
             }
             None => self.page.plain(format!(
                 "t = -{}/{} = {} … (v)",
                 d.factor(test.numerator),
                 d.factor(test.denominator),
-                d.number(root.t)
+                d.number(quotient)
             )),
+        }
+        if d.number(quotient) != d.number(root.t) {
+            self.page.plain(format!(
+                "so flat a ray stretches the rounding: the nearest t within the polygon's extent is {}",
+                d.number(root.t)
+            ));
         }
         if test.chosen().is_none() {
             let text = format!("{}: missed", fate(root, None, course));

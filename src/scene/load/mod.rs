@@ -47,19 +47,37 @@ struct Source {
 enum Lines {
     /// By reading the JSON text again.
     Json(String),
-    /// By the beginnings of paths and their lines, such as `objects[17]`.
-    Table(Vec<(String, usize)>),
+    /// By the lines that were noted while reading.
+    Table(Table),
+}
+
+/// Where the parts of a scene begin.
+#[derive(Clone, Debug, Default)]
+struct Table {
+    /// The line of each object: there may be a million of them, and a path for each would be long.
+    objects: Vec<usize>,
+    /// Of all else the beginnings of paths, such as `lights[2]`, and their lines.
+    others: Vec<(String, usize)>,
+}
+
+impl Table {
+    fn line_of(&self, path: &str) -> Option<usize> {
+        if let Some(rest) = path.strip_prefix("objects[") {
+            let (index, _) = rest.split_once(']')?;
+            return self.objects.get(index.parse::<usize>().ok()?).copied();
+        }
+        let known = self.others.iter();
+        let beginnings = known.filter(|(start, _)| is_beginning(start, path));
+        let longest = beginnings.max_by_key(|(start, _)| start.len());
+        longest.map(|(_, line)| *line)
+    }
 }
 
 impl Source {
     fn fault(&self, SceneFault { path, fault }: SceneFault) -> LoadError {
         let line = match &self.lines {
             Lines::Json(text) => locate::line_of(text, &path),
-            Lines::Table(table) => table
-                .iter()
-                .filter(|(start, _)| is_beginning(start, &path))
-                .max_by_key(|(start, _)| start.len())
-                .map(|(_, line)| *line),
+            Lines::Table(table) => table.line_of(&path),
         };
         let place = Place {
             file: self.file.clone(),

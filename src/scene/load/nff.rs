@@ -14,7 +14,7 @@ use crate::scene::file::{
 };
 use crate::scene::load::nff::view::{VIEW, key_and_path};
 use crate::scene::load::words::{Entity, Word, Words, shown, stem};
-use crate::scene::load::{Lines, LoadError, Loaded, Source};
+use crate::scene::load::{Lines, LoadError, Loaded, Source, Table};
 
 /// Reads a scene.
 ///
@@ -40,7 +40,7 @@ pub(super) fn read_nff(file: &str, text: &str) -> Result<Loaded, LoadError> {
         },
         material: None,
         kinds: HashMap::new(),
-        lines: Vec::new(),
+        lines: Table::default(),
     };
     while let Some(word) = reader.words.next() {
         reader.entity(word)?;
@@ -80,8 +80,8 @@ struct Reader<'a> {
     material: Option<String>,
     /// How many objects there are of each kind.
     kinds: HashMap<&'static str, usize>,
-    /// The beginnings of paths and their lines.
-    lines: Vec<(String, usize)>,
+    /// Where each part begins.
+    lines: Table,
 }
 
 impl Reader<'_> {
@@ -141,7 +141,7 @@ impl Reader<'_> {
             _ => None,
         };
         let path = format!("lights[{}]", self.scene.lights.len());
-        self.lines.push((path, entity.line));
+        self.lines.others.push((path, entity.line));
         self.scene.lights.push(LightFile {
             name: format!("light-{}", self.scene.lights.len() + 1),
             position,
@@ -178,7 +178,8 @@ impl Reader<'_> {
             name.clone()
         } else {
             let name = format!("material-{}", materials.len() + 1);
-            self.lines.push((format!("materials.{name}"), entity.line));
+            let path = format!("materials.{name}");
+            self.lines.others.push((path, entity.line));
             materials.push((name.clone(), material));
             name
         };
@@ -233,8 +234,10 @@ impl Reader<'_> {
                 vertices.push(self.words.numbers(&entity)?);
             }
         }
-        let normals = smooth.then_some(normals);
-        let shape = ShapeFile::Polygon(PolygonFile { vertices, normals });
+        let shape = ShapeFile::Polygon(PolygonFile {
+            vertices: vertices.into(),
+            normals: smooth.then(|| normals.into()),
+        });
         self.add("polygon", entity.line, shape, false);
         Ok(())
     }
@@ -244,8 +247,7 @@ impl Reader<'_> {
         use SidesFile::{Back, Both};
         let count = self.kinds.entry(kind).or_insert(0);
         *count += 1;
-        let path = format!("objects[{}]", self.scene.objects.len());
-        self.lines.push((path, line));
+        self.lines.objects.push(line);
         self.scene.objects.push(ObjectFile {
             name: format!("{kind}-{count}"),
             material: self.material.clone().unwrap_or_default(),
@@ -256,11 +258,11 @@ impl Reader<'_> {
 
     /// Notes the line of what a file has once.
     fn once(&mut self, path: &str, what: &str, line: usize) -> Result<(), LoadError> {
-        if let Some((_, first)) = self.lines.iter().find(|(known, _)| known == path) {
+        if let Some((_, first)) = self.lines.others.iter().find(|(known, _)| known == path) {
             let what = format!("{what} is given twice, first in line {first}");
             return Err(self.words.error(line, what, "remove one of them"));
         }
-        self.lines.push((path.into(), line));
+        self.lines.others.push((path.into(), line));
         Ok(())
     }
 }

@@ -15,14 +15,14 @@ use glam::DVec3;
 use crate::geometry::{Polygon, PolygonError};
 use crate::scene::check::checked_point;
 use crate::scene::fault::Fault;
-use crate::scene::file::PolygonFile;
+use crate::scene::file::FaceList;
 use crate::scene::load::words::{Entity, Word, form_error, lines, numbers_of, shown, words_of};
 use crate::scene::load::{LoadError, Place};
 
 /// The faces of an OBJ file.
 #[derive(Debug)]
 pub(super) struct Faces {
-    pub(super) faces: Vec<PolygonFile>,
+    pub(super) faces: FaceList,
     /// What was left out or mended.
     pub(super) notes: Vec<String>,
 }
@@ -70,7 +70,7 @@ struct Reader<'a> {
     file: &'a str,
     vertices: Vec<[f64; 3]>,
     normals: Vec<[f64; 3]>,
-    faces: Vec<PolygonFile>,
+    faces: FaceList,
     /// How many faces have no area.
     flat: u64,
     /// How many faces were divided into triangles.
@@ -164,27 +164,21 @@ impl Reader<'_> {
             self.bare += 1;
             normals.clear();
         }
-        self.add(vertices, normals)
+        self.add(&vertices, &normals)
             .map_err(|error| self.fault(line, Fault::Polygon(error)))
     }
 
     /// Keeps a face, divides it or leaves it out.
-    fn add(&mut self, vertices: Vec<DVec3>, normals: Vec<DVec3>) -> Result<(), PolygonError> {
-        let smooth = (!normals.is_empty()).then(|| normals.clone());
-        match Polygon::new(vertices.clone(), smooth) {
-            Ok(_) => {
-                let list = |points: Vec<DVec3>| points.into_iter().map(Into::into).collect();
-                self.faces.push(PolygonFile {
-                    normals: (!normals.is_empty()).then(|| list(normals)),
-                    vertices: list(vertices),
-                });
-            }
+    fn add(&mut self, vertices: &[DVec3], normals: &[DVec3]) -> Result<(), PolygonError> {
+        let smooth = (!normals.is_empty()).then_some(normals);
+        match Polygon::new(vertices.to_vec(), smooth.map(<[_]>::to_vec)) {
+            Ok(_) => self.faces.push(vertices, smooth),
             Err(PolygonError::NotPlanar { .. }) if 3 < vertices.len() => {
                 self.divided += 1;
                 for (triangle, normals) in
-                    fan(&vertices).zip(fan(&normals).chain(iter::repeat(Vec::new())))
+                    fan(vertices).zip(fan(normals).chain(iter::repeat(Vec::new())))
                 {
-                    self.add(triangle, normals)?;
+                    self.add(&triangle, &normals)?;
                 }
             }
             // a triangle is off its own plane only by rounding, if its corners are almost on one line
@@ -280,7 +274,7 @@ mod tests {
     #[track_caller]
     fn faces(lines: &str) -> (Vec<Vec<[f64; 3]>>, Vec<String>) {
         let read = read_obj("m.obj", &format!("{SQUARE}{lines}")).unwrap();
-        let faces = read.faces.into_iter().map(|face| face.vertices);
+        let faces = read.faces.iter().map(|face| face.vertices.to_vec());
         (faces.collect(), read.notes)
     }
 
@@ -330,8 +324,8 @@ mod tests {
             &format!("{SQUARE}f 1//1 2//1 3//1\nf 1//1 2//1 3//2"),
         )
         .unwrap();
-        assert_eq!(read.faces[0].normals, Some(vec![[0.0, 0.0, 2.0]; 3]));
-        assert_eq!(read.faces[1].normals, None);
+        let normals: Vec<_> = read.faces.iter().map(|face| face.normals).collect();
+        assert_eq!(normals, [Some(&[[0.0, 0.0, 2.0]; 3][..]), None]);
         let note = "m.obj: 1 face has a normal of length 0 and is shaded flat";
         assert_eq!(read.notes, [note]);
     }

@@ -3,12 +3,12 @@
 use glam::DVec3;
 
 use crate::scene::file::{
-    CameraFile, LightFile, LookAt, Material, Materials, MeshFile, ObjectFile, PolygonFile,
-    SceneFile, ShapeFile, SidesFile,
+    CameraFile, FaceList, LightFile, LookAt, Material, Materials, MeshFile, ObjectFile, SceneFile,
+    ShapeFile, SidesFile,
 };
 use crate::scene::load::obj::{Faces, read_obj};
 use crate::scene::load::words::stem;
-use crate::scene::load::{Lines, LoadError, Loaded, Source};
+use crate::scene::load::{Lines, LoadError, Loaded, Source, Table};
 
 /// Reads a mesh as a scene of its own: grey, and seen whole from the right, the front and above.
 ///
@@ -55,16 +55,16 @@ pub(in crate::scene::load) fn read_obj_scene(file: &str, text: &str) -> Result<L
         source: Source {
             file: file.into(),
             // the faces have been checked with their lines, and the rest stands in no line
-            lines: Lines::Table(Vec::new()),
+            lines: Lines::Table(Table::default()),
         },
     })
 }
 
 /// A camera that sees the sphere around the faces' bounding box touch the picture's upper and lower
 /// edge, and a light beside it.
-fn framed(faces: &[PolygonFile]) -> (CameraFile, LightFile) {
+fn framed(faces: &FaceList) -> (CameraFile, LightFile) {
     const FOV_DEGREES: f64 = 40.0;
-    let vertices = || faces.iter().flat_map(|face| &face.vertices);
+    let vertices = || faces.iter().flat_map(|face| face.vertices);
     let points = || vertices().map(|&vertex| DVec3::from(vertex));
     let low = points().reduce(DVec3::min).unwrap_or_default();
     let high = points().reduce(DVec3::max).unwrap_or_default();
