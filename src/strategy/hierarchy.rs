@@ -12,10 +12,9 @@ use std::cmp::{Ordering, Reverse};
 use std::collections::BinaryHeap;
 use std::ops::ControlFlow;
 
-use smallvec::SmallVec;
-
 use crate::geometry::{Ray, TRange};
 use crate::scene::Scene;
+use crate::strategy::waiting::{Stack, Waiting};
 use crate::strategy::{Search, Strategy};
 use crate::structure::{Build, Hierarchy, Inside, Link, RaySlabs, SlabSet, VolumeKind, range};
 use crate::trace::{
@@ -41,18 +40,6 @@ struct Nodes<'a, const N: usize> {
     scene: &'a Scene,
     hierarchy: Hierarchy<N>,
 }
-
-/// A node that waits to be entered.
-#[derive(Clone, Copy, Debug)]
-struct Waiting {
-    /// Where the ray enters its bound.
-    near: f64,
-    node: u32,
-    depth: u32,
-}
-
-/// How many nodes wait at most in a walk down a tree of common depth.
-const USUAL_WAITING: usize = 64;
 
 impl<'a, const N: usize> DepthFirst<'a, N> {
     /// Builds the hierarchy over a scene.
@@ -81,8 +68,8 @@ impl<const N: usize> Strategy for DepthFirst<'_, N> {
     #[inline]
     fn search<R: Recorder>(&self, ray: &Ray, search: &mut impl Search, recorder: &mut R) {
         let nodes = &self.nodes;
-        let slabs = RaySlabs::new(ray, nodes.hierarchy.set());
-        let mut waiting: SmallVec<[Waiting; USUAL_WAITING]> = SmallVec::new();
+        let slabs = nodes.hierarchy.ray_slabs(ray);
+        let mut waiting = Stack::new();
         let mut next = nodes.root(ray, &slabs, search, recorder);
         while let Some(node) = next {
             nodes.note(node, NodeOutcome::Entered, recorder);
@@ -137,7 +124,7 @@ impl<const N: usize> Strategy for DepthFirst<'_, N> {
 impl<const N: usize> Strategy for HeapOrdered<'_, N> {
     fn search<R: Recorder>(&self, ray: &Ray, search: &mut impl Search, recorder: &mut R) {
         let nodes = &self.nodes;
-        let slabs = RaySlabs::new(ray, nodes.hierarchy.set());
+        let slabs = nodes.hierarchy.ray_slabs(ray);
         let mut heap: BinaryHeap<Reverse<Waiting>> = BinaryHeap::new();
         let note = |action, of: Waiting, size: usize, recorder: &mut R| {
             recorder.note(|| {

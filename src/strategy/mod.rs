@@ -5,6 +5,7 @@ mod exhaustive;
 mod hierarchy;
 mod nearest;
 mod object_test;
+mod waiting;
 
 pub use chosen::Chosen;
 pub use exhaustive::Exhaustive;

@@ -7,9 +7,10 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use crate::geometry::Ray;
 use crate::scene::{PrimitiveId, Scene};
 use crate::structure::build::{bottom_up, insertion, surface_area};
-use crate::structure::{SlabBound, SlabSet};
+use crate::structure::{RaySlabs, SlabBound, SlabSet};
 
 /// How a hierarchy is built. All give the same hits at another cost.
 #[derive(
@@ -69,6 +70,8 @@ pub struct Hierarchy<const N: usize> {
     set: SlabSet<N>,
     nodes: Vec<Node<N>>,
     order: Vec<PrimitiveId>,
+    /// The largest coordinate of the objects.
+    reach: f64,
 }
 
 /// Two volumes joined: one pair of planes of a node, as it grows by one child.
@@ -130,13 +133,25 @@ impl<const N: usize> Hierarchy<N> {
                     .fold(SlabBound::EMPTY, |sum, of| sum.union(&of)),
             };
         }
-        Self { set, nodes, order }
+        let reach = reach(scene);
+        Self {
+            set,
+            nodes,
+            order,
+            reach,
+        }
     }
 
     /// The directions of the slabs.
     #[inline]
     pub fn set(&self) -> &SlabSet<N> {
         &self.set
+    }
+
+    /// S and T of a ray for the slabs of all nodes.
+    #[inline]
+    pub fn ray_slabs(&self, ray: &Ray) -> RaySlabs<N> {
+        RaySlabs::new(ray, &self.set, self.reach)
     }
 
     /// The nodes, the root first; a scene without objects has none.
@@ -166,16 +181,13 @@ impl<const N: usize> Hierarchy<N> {
                     .iter()
                     .fold(SlabBound::EMPTY, |sum, node| sum.union(&node.bound));
                 let joined = self.nodes[(first + child) as usize].bound;
-                (0..slabs).map(move |slab| {
-                    let ([a_min, a_max], [b_min, b_max]) = (so_far.d[slab], joined.d[slab]);
-                    MergeStep {
-                        node: at as u32,
-                        first: if child == 1 { first } else { at as u32 },
-                        second: first + child,
-                        slab: slab as u32,
-                        d_min: [a_min, b_min],
-                        d_max: [a_max, b_max],
-                    }
+                (0..slabs).map(move |slab| MergeStep {
+                    node: at as u32,
+                    first: if child == 1 { first } else { at as u32 },
+                    second: first + child,
+                    slab: slab as u32,
+                    d_min: [so_far.d_min[slab], joined.d_min[slab]],
+                    d_max: [so_far.d_max[slab], joined.d_max[slab]],
                 })
             })
         })
@@ -185,6 +197,12 @@ impl<const N: usize> Hierarchy<N> {
     pub fn bytes(&self) -> usize {
         size_of_val(self.nodes.as_slice()) + size_of_val(self.order.as_slice())
     }
+}
+
+/// The largest absolute coordinate or radius of the objects.
+pub(crate) fn reach(scene: &Scene) -> f64 {
+    let reaches = scene.primitives.iter().map(|object| object.shape.reach());
+    reaches.fold(0.0, f64::max)
 }
 
 /// `count` places from `first` on.

@@ -15,8 +15,10 @@ use crate::structure::{SlabSet, extent};
 /// D_min and D_max of each slab. A, B and C are those of the structure's [`SlabSet`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SlabBound<const N: usize> {
-    /// [D_min, D_max] for each direction of the set.
-    pub d: [[f64; 2]; N],
+    /// D_min for each direction of the set: minus the furthest place along the normal.
+    pub d_min: [f64; N],
+    /// D_max for each direction.
+    pub d_max: [f64; N],
 }
 
 /// What became of a bound at one of its slabs?
@@ -100,69 +102,62 @@ fn smaller(a: f64, b: f64) -> f64 {
 
 /// S and T of a ray for each direction of a set: computed once for all bounds.
 ///
-/// Each slab is met with a little room on both sides, so that rounding cuts off no hit that an object's own
-/// test finds: S is shifted by [`SHIFT`] of the origin's coordinates, and T is stretched by [`STRETCH`].
+/// Every slab is met a little wider than it is, so that rounding cuts off no hit that an object's own test
+/// finds: S has [`ROOM`] for either plane.
 #[derive(Clone, Copy, Debug)]
 pub struct RaySlabs<const N: usize> {
-    lines: [SlabLine; N],
+    /// S, less the room: for the plane of D_min.
+    s_min: [f64; N],
+    /// S and the room: for the plane of D_max.
+    s_max: [f64; N],
+    /// T.
+    t_scale: [f64; N],
 }
 
-/// S and T of one direction, for the near plane and for the far one.
-///
-/// T of the far plane is negated, so that both are treated alike: the smallest far is the largest −far.
-#[derive(Clone, Copy, Debug)]
-struct SlabLine {
-    s: [f64; 2],
-    t_scale: [f64; 2],
-    /// Whether the near plane is that of D_min, 0, or that of D_max, 1 (erratum 5).
-    near_is: usize,
-}
+/// The room that a slab is given on either side, as a share of the coordinates of the ray's origin and of the
+/// bounds: a millionfold of ε, for a sphere's root is good to 10⁻¹⁰ of itself, and where a ray meets a
+/// surface flatly hits lie off the surface by a hundredfold of ε.
+const ROOM: f64 = 2e-10;
+
+/// The first slabs are looked at together: to leave between them costs more than it saves.
+const BOX: usize = 3;
 
 /// A t beyond this comes from a parallel slab: a scene's numbers end at 10⁵⁰, a parallel T begins at 10²⁰⁰.
 const FARTHEST: f64 = 1e120;
 
-/// The first slabs are looked at together: to leave between them costs more than it saves.
-const BOX: usize = 2;
-
-/// Room for the rounding of S and D: a ten-thousandfold of ε.
-const SHIFT: f64 = 1e-11;
-/// Room for the error of an object's own t: a sphere's root is good to 10⁻¹⁰ of itself.
-const STRETCH: f64 = 1e-9;
-
 impl<const N: usize> RaySlabs<N> {
-    /// S and T of the ray for each direction.
+    /// S and T of the ray for each direction; `reach` is the largest coordinate of what the bounds are around.
     #[inline]
-    pub fn new(ray: &Ray, set: &SlabSet<N>) -> Self {
-        let shift = SHIFT * ray.origin.abs().element_sum();
-        let lines = set.padded().map(|normal| {
-            let SlabRay { s, t_scale } = SlabRay::new(ray, normal);
-            // a parallel ray needs no division: it is far beyond every other slab, or before it
-            let t_scale = t_scale.clamp(-PARALLEL, PARALLEL);
-            let towards = shift.copysign(t_scale);
-            SlabLine {
-                s: [s - towards, s + towards],
-                t_scale: [t_scale * (1.0 - STRETCH), -t_scale * (1.0 + STRETCH)],
-                near_is: usize::from(t_scale < 0.0),
-            }
-        });
-        Self { lines }
+    pub fn new(ray: &Ray, set: &SlabSet<N>, reach: f64) -> Self {
+        let room = ROOM * (ray.origin.abs().element_sum() + reach);
+        let s = set.products(ray.origin);
+        let t_scale = set.products(ray.direction).map(|product| -1.0 / product);
+        Self {
+            s_min: s.map(|s| s - room),
+            s_max: s.map(|s| s + room),
+            // a parallel ray is far beyond every other slab, or before it
+            t_scale: t_scale.map(|t| smaller(larger(t, -PARALLEL), PARALLEL)),
+        }
     }
 }
 
 impl<const N: usize> SlabBound<N> {
     /// Nothing: every D_min above every D_max.
     pub const EMPTY: Self = Self {
-        d: [[f64::INFINITY, f64::NEG_INFINITY]; N],
+        d_min: [f64::INFINITY; N],
+        d_max: [f64::NEG_INFINITY; N],
     };
 
     /// The bound of a shape, widened for rounding.
     pub fn of(shape: &Shape, set: &SlabSet<N>) -> Self {
+        // a direction that the set does not have bounds nothing
         let mut bound = Self {
-            d: [[f64::NEG_INFINITY, f64::INFINITY]; N],
+            d_min: [f64::NEG_INFINITY; N],
+            d_max: [f64::INFINITY; N],
         };
-        for (d, &normal) in bound.d.iter_mut().zip(set.directions()) {
+        for (slab, &normal) in set.directions().iter().enumerate() {
             let [smallest, largest] = extent(shape, normal);
-            *d = [-largest, -smallest];
+            (bound.d_min[slab], bound.d_max[slab]) = (-largest, -smallest);
         }
         bound
     }
@@ -173,42 +168,33 @@ impl<const N: usize> SlabBound<N> {
     #[inline]
     pub fn union(&self, other: &Self) -> Self {
         let mut joined = *self;
-        for (d, [d_min, d_max]) in joined.d.iter_mut().zip(other.d) {
-            *d = [d[0].min(d_min), d[1].max(d_max)];
+        for slab in 0..N {
+            joined.d_min[slab] = smaller(self.d_min[slab], other.d_min[slab]);
+            joined.d_max[slab] = larger(self.d_max[slab], other.d_max[slab]);
         }
         joined
     }
 
-    /// How wide the bound is in each direction: D_max − D_min.
-    #[inline]
-    pub fn widths(&self) -> [f64; N] {
-        self.d.map(|[d_min, d_max]| d_max - d_min)
-    }
-
     /// Where is the ray inside the bound?
     ///
-    /// near = max (S + D_near)·T, far = min (S + D_far)·T, without a division. Left as soon as they have
-    /// crossed. A parallel ray is inside its slab from some −10²⁰⁰ to 10²⁰⁰, or only beyond that. `tell`
-    /// hears of each slab with the largest near and the smallest far up to it.
+    /// With t = (S + D)·T for both planes of a slab, the smaller is its near and the larger its far value;
+    /// near = max nearᵢ, far = min farᵢ. No division, and left once they have crossed. A parallel ray is
+    /// inside its slab from some −10²⁰⁰ to 10²⁰⁰, or only beyond that. `tell` hears of each slab with the
+    /// largest near and the smallest far up to it.
     #[inline]
     pub fn inside(&self, ray: &RaySlabs<N>, mut tell: impl FnMut(usize, f64, f64)) -> Inside {
-        let mut largest = [f64::NEG_INFINITY; 2];
-        for (slab, (d, line)) in self.d.iter().zip(&ray.lines).enumerate() {
-            // the mask tells the compiler that there is no third
-            let planes = [d[line.near_is & 1], d[!line.near_is & 1]];
-            let t = [0, 1].map(|end| (line.s[end] + planes[end]) * line.t_scale[end]);
-            largest = [0, 1].map(|end| larger(largest[end], t[end]));
-            let [near, minus_far] = largest;
-            tell(slab, near, -minus_far);
-            if BOX <= slab && -minus_far < near {
+        let (mut near, mut far) = (f64::NEG_INFINITY, f64::INFINITY);
+        for slab in 0..N {
+            let at_min = (ray.s_min[slab] + self.d_min[slab]) * ray.t_scale[slab];
+            let at_max = (ray.s_max[slab] + self.d_max[slab]) * ray.t_scale[slab];
+            near = larger(near, smaller(at_min, at_max));
+            far = smaller(far, larger(at_min, at_max));
+            tell(slab, near, far);
+            if BOX <= slab + 1 && far < near {
                 break;
             }
         }
-        let [near, minus_far] = largest;
-        Inside {
-            near,
-            far: -minus_far,
-        }
+        Inside { near, far }
     }
 
     /// The working of one slab, for a ray of which `max_near` and `min_far` are known up to it.
@@ -230,7 +216,7 @@ impl<const N: usize> SlabBound<N> {
         let (max_near, min_far) = (limited(max_near), limited(min_far));
         let normal = set.padded()[slab];
         let line = SlabRay::new(ray, normal);
-        let [d_min, d_max] = self.d[slab];
+        let (d_min, d_max) = (self.d_min[slab], self.d_max[slab]);
         let interval = line.interval(d_min, d_max);
         let crossed =
             min_far < max_near || max_near == f64::INFINITY || min_far == f64::NEG_INFINITY;
@@ -284,7 +270,7 @@ mod tests {
     fn inside(origin: [f64; 3], direction: [f64; 3]) -> Option<[f64; 2]> {
         let (set, bound) = four_and_one();
         let ray = Ray::new(origin.into(), direction.into());
-        let found = bound.inside(&RaySlabs::new(&ray, &set), |_, _, _| {});
+        let found = bound.inside(&RaySlabs::new(&ray, &set, 1.0), |_, _, _| {});
         let ends = found.ends().filter(|_| found.meets(TRange::FORWARD));
         ends.map(|ends| ends.map(|t| (t * 1e6).round() / 1e6))
     }
@@ -318,7 +304,7 @@ mod tests {
         let (set, bound) = four_and_one();
         let ray = Ray::new(DVec3::new(-0.05, 1.95, 0.0), DVec3::new(1.0, -1.0, 0.0));
         let mut steps = Vec::new();
-        bound.inside(&RaySlabs::new(&ray, &set), |slab, near, far| {
+        bound.inside(&RaySlabs::new(&ray, &set, 1.0), |slab, near, far| {
             steps.push(bound.step(slab, &ray, &set, [near, far]));
         });
         let outcomes: Vec<_> = steps.iter().map(|step| step.outcome).collect();
@@ -331,14 +317,11 @@ mod tests {
 
     #[test]
     fn the_bound_of_two_bounds_takes_the_smaller_d_min_and_the_larger_d_max() {
-        let a = SlabBound {
-            d: [[-1.0, 2.0], [0.0, 5.0], [-3.0, -2.0]],
-        };
-        let b = SlabBound {
-            d: [[-2.0, 1.0], [1.0, 4.0], [0.0, 7.0]],
-        };
-        let joined = [[-2.0, 2.0], [0.0, 5.0], [-3.0, 7.0]];
-        assert_eq!(a.union(&b), SlabBound { d: joined });
+        let bound = |d_min, d_max| SlabBound { d_min, d_max };
+        let a = bound([-1.0, 0.0, -3.0], [2.0, 5.0, -2.0]);
+        let b = bound([-2.0, 1.0, 0.0], [1.0, 4.0, 7.0]);
+        let joined = bound([-2.0, 0.0, -3.0], [2.0, 5.0, 7.0]);
+        assert_eq!(a.union(&b), joined);
         assert_eq!(SlabBound::EMPTY.union(&a), a);
     }
 }

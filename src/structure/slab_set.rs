@@ -34,6 +34,8 @@ pub struct SlabSet<const N: usize> {
     /// (A, B, C) of each slab, of unit length.
     directions: [DVec3; N],
     len: usize,
+    /// Are the first three x, y and z? Then a product with them is a coordinate.
+    axes_first: bool,
 }
 
 /// Why a list of directions is no set of slabs.
@@ -95,6 +97,7 @@ impl SlabSet<3> {
     pub const AXES: Self = Self {
         directions: DVec3::AXES,
         len: 3,
+        axes_first: true,
     };
 }
 
@@ -114,6 +117,7 @@ impl SlabSet<7> {
                 DVec3::new(D, -D, D),
             ],
             len: 7,
+            axes_first: true,
         }
     };
 }
@@ -146,6 +150,7 @@ impl SlabSet<MOST_SLABS> {
         let mut set = Self {
             directions: [DVec3::ZERO; MOST_SLABS],
             len: directions.len(),
+            axes_first: false,
         };
         for (slab, (unit, direction)) in set.directions.iter_mut().zip(directions).enumerate() {
             let largest = direction.abs().max_element();
@@ -178,6 +183,23 @@ impl<const N: usize> SlabSet<N> {
     /// (A, B, C) of each slab, of unit length.
     pub fn directions(&self) -> &[DVec3] {
         &self.directions[..self.len]
+    }
+
+    /// A·x + B·y + C·z for each direction, and 0 for those that the set does not have.
+    #[inline]
+    pub(crate) fn products(&self, v: DVec3) -> [f64; N] {
+        let mut products = [0.0; N];
+        let mut first = 0;
+        if self.axes_first {
+            for (product, coordinate) in products.iter_mut().zip(v.to_array()) {
+                *product = coordinate;
+            }
+            first = 3;
+        }
+        for (product, normal) in products.iter_mut().zip(&self.directions).skip(first) {
+            *product = normal.dot(v);
+        }
+        products
     }
 
     /// All N, of which those beyond [`SlabSet::directions`] are zero.

@@ -17,7 +17,7 @@ use crate::structure::hierarchy::{Link, Topology};
 /// Into how many bins the centers are sorted along an axis: more of them find hardly better cuts.
 const BINS: usize = 16;
 /// What a node costs in tests of objects.
-const NODE_COST: f64 = 1.0;
+const NODE_COST: f64 = 2.0;
 /// The most objects in a leaf, unless nothing tells them apart.
 const LARGEST_LEAF: usize = 8;
 /// From this depth on a node is cut into equal halves: what is left is few objects, or hopeless.

@@ -1,0 +1,59 @@
+//! The nodes that wait for their turn while a hierarchy is walked depth first.
+
+/// A node that waits to be entered.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Waiting {
+    /// Where the ray enters its bound.
+    pub(super) near: f64,
+    pub(super) node: u32,
+    pub(super) depth: u32,
+}
+
+/// How many nodes wait without memory of their own: one for each level of a tree of a million objects.
+const FEW: usize = 32;
+
+/// A stack of nodes, the next one on top.
+#[derive(Debug)]
+pub(super) struct Stack {
+    few: [Waiting; FEW],
+    /// How many of the few wait.
+    len: usize,
+    /// What does not fit, in trees of uncommon depth.
+    more: Vec<Waiting>,
+}
+
+impl Stack {
+    /// Nothing waits.
+    #[inline]
+    pub(super) fn new() -> Self {
+        Self {
+            few: [Waiting::default(); FEW],
+            len: 0,
+            more: Vec::new(),
+        }
+    }
+
+    /// Puts a node on top.
+    #[inline]
+    pub(super) fn push(&mut self, waiting: Waiting) {
+        match self.few.get_mut(self.len) {
+            Some(place) => {
+                *place = waiting;
+                self.len += 1;
+            }
+            None => self.more.push(waiting),
+        }
+    }
+
+    /// Takes the node on top.
+    #[inline]
+    pub(super) fn pop(&mut self) -> Option<Waiting> {
+        if self.len == FEW
+            && let Some(last) = self.more.pop()
+        {
+            return Some(last);
+        }
+        self.len = self.len.checked_sub(1)?;
+        Some(self.few[self.len])
+    }
+}
