@@ -55,10 +55,10 @@ pub use explain::{
     WorkedOptions, counts_json, counts_text, pixel_json, printable, worked_solution,
 };
 pub use geometry::{
-    Alignment, Axis, AxisBox, BoxTest, Cone, DecidedBy, EdgeTest, Ellipsoid, Fate, GRAZE, Plane,
-    PlaneTest, PlaneVerdict, Polygon, PolygonError, PolygonTest, QuadraticTest, Ray, Refraction,
-    Root, Roots, Sides, SlabInterval, SlabRay, Sphere, TRange, interpolated_normal,
-    mean_value_weights, reflect, refract,
+    Alignment, Axis, AxisBox, BoxTest, Cone, DecidedBy, EdgeTest, Ellipsoid, Fate, GRAZE,
+    OrientedEllipsoid, Plane, PlaneTest, PlaneVerdict, Polygon, PolygonError, PolygonTest,
+    QuadraticTest, Ray, Refraction, Root, Roots, Sides, SlabInterval, SlabRay, Sphere, TRange,
+    interpolated_normal, mean_value_weights, reflect, refract,
 };
 pub use scene::{
     Camera, Emission, Fault, Light, LoadError, Loaded, Material, Materials, Normals, Object,
@@ -66,13 +66,13 @@ pub use scene::{
     nearest_name,
 };
 pub use strategy::{
-    AnyHit, Chosen, DepthFirst, Exhaustive, HeapOrdered, Hit, NearestSoFar, Search, Strategy,
-    test_primitive,
+    AnyHit, BoundedObjects, Chosen, DepthFirst, Exhaustive, HeapOrdered, Hit, NearestSoFar, Search,
+    Strategy, test_primitive,
 };
 pub use structure::{
     Across, AssignStep, Build, CellStep, GridOptions, Hierarchy, Inside, Link, Lists, MOST_SLABS,
     MergeStep, Node, RaySlabs, Share, SlabBound, SlabChoice, SlabOutcome, SlabSet, SlabSetError,
-    SlabStep, StructureError, StructureOptions, VolumeKind, extent,
+    SlabStep, StructureError, StructureOptions, Volume, VolumeKind, VolumeRay, extent,
 };
 pub use trace::{
     Aligned, AlignedPart, BoundOutcome, BoundTest, Bounded, Budget, CellVisit, Counts, Event,

@@ -182,7 +182,7 @@ fn at_end(text: &str) -> Option<Value> {
 
 /// How many equations of a line were computed again: between numbers, and between vectors.
 #[track_caller]
-fn check_line(line: &str) -> [usize; 2] {
+pub(crate) fn check_line(line: &str) -> [usize; 2] {
     let mut checked = [0; 2];
     // the one step that is told in words
     if line.contains("normalised") {

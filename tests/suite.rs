@@ -1,6 +1,7 @@
 //! The integration tests: one binary, a module per subject.
 
 mod bad_input;
+mod bounds;
 mod calculator;
 mod cli;
 mod exact;

@@ -2,8 +2,10 @@
 
 use crate::geometry::Ray;
 use crate::scene::Scene;
-use crate::strategy::{DepthFirst, Exhaustive, HeapOrdered, Search, Strategy};
-use crate::structure::{MOST_SLABS, SlabChoice, SlabSet, StructureError, StructureOptions};
+use crate::strategy::{BoundedObjects, DepthFirst, Exhaustive, HeapOrdered, Search, Strategy};
+use crate::structure::{
+    MOST_SLABS, SlabChoice, SlabSet, StructureError, StructureOptions, VolumeKind,
+};
 use crate::trace::{Recorder, StrategyName};
 
 /// One of the strategies, with its structure built. Which one is asked once for each ray.
@@ -11,6 +13,12 @@ use crate::trace::{Recorder, StrategyName};
 pub enum Chosen<'a> {
     /// Every object.
     Exhaustive(Exhaustive<'a>),
+    /// A volume around each object; slabs across the axes.
+    Bounds3(BoundedObjects<'a, 3>),
+    /// The same, with the seven slabs of Kay and Kajiya.
+    Bounds7(BoundedObjects<'a, 7>),
+    /// The same, with the scene's own slabs.
+    BoundsOwn(Box<BoundedObjects<'a, MOST_SLABS>>),
     /// A hierarchy of boxes.
     Hierarchy3(DepthFirst<'a, 3>),
     /// A hierarchy with the seven slabs of Kay and Kajiya.
@@ -35,13 +43,30 @@ impl<'a> Chosen<'a> {
         name: StrategyName,
         options: &StructureOptions,
     ) -> Result<Self, StructureError> {
-        let build = options.build;
+        let StructureOptions { build, volume, .. } = *options;
         let own = || {
             SlabSet::of(scene.slabs.as_ref().ok_or(StructureError::NoSlabs)?)
                 .map_err(StructureError::Slabs)
         };
-        Ok(match (name, options.slabs) {
+        // other volumes have no slabs to choose
+        let slabs = match (name, volume) {
+            (
+                StrategyName::Bounds,
+                VolumeKind::Sphere | VolumeKind::Ellipsoid | VolumeKind::Box,
+            ) => SlabChoice::Axes,
+            _ => options.slabs,
+        };
+        Ok(match (name, slabs) {
             (StrategyName::Exhaustive, _) => Self::Exhaustive(Exhaustive::new(scene)),
+            (StrategyName::Bounds, SlabChoice::Axes) => {
+                Self::Bounds3(BoundedObjects::new(scene, volume, &SlabSet::AXES))
+            }
+            (StrategyName::Bounds, SlabChoice::Seven) => {
+                Self::Bounds7(BoundedObjects::new(scene, volume, &SlabSet::SEVEN))
+            }
+            (StrategyName::Bounds, SlabChoice::Scene) => {
+                Self::BoundsOwn(Box::new(BoundedObjects::new(scene, volume, &own()?)))
+            }
             (StrategyName::Hierarchy, SlabChoice::Axes) => {
                 Self::Hierarchy3(DepthFirst::new(scene, &SlabSet::AXES, build))
             }
@@ -70,6 +95,9 @@ macro_rules! whichever {
     ($chosen:expr, $strategy:ident => $work:expr) => {
         match $chosen {
             Chosen::Exhaustive($strategy) => $work,
+            Chosen::Bounds3($strategy) => $work,
+            Chosen::Bounds7($strategy) => $work,
+            Chosen::BoundsOwn($strategy) => $work,
             Chosen::Hierarchy3($strategy) => $work,
             Chosen::Hierarchy7($strategy) => $work,
             Chosen::HierarchyOwn($strategy) => $work,

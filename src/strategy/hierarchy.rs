@@ -216,10 +216,13 @@ impl<'a, const N: usize> Nodes<'a, N> {
         let bound = &self.hierarchy.nodes()[node as usize].bound;
         let of = Bounded::Node(node);
         let inside = bound.inside(slabs, |slab, near, far| {
-            recorder.note(|| {
-                let step = bound.step(slab, ray, self.hierarchy.set(), [near, far]);
-                Event::SlabTest(SlabTest { of, step })
-            });
+            // a set with fewer directions than it has room for is filled up with slabs that hold everything
+            if R::ENABLED && slab < self.hierarchy.set().directions().len() {
+                recorder.note(|| {
+                    let step = bound.step(slab, ray, self.hierarchy.set(), [near, far]);
+                    Event::SlabTest(SlabTest { of, step })
+                });
+            }
         });
         let range = search.range();
         let waiting = Waiting {

@@ -1,5 +1,6 @@
 //! Which objects is a ray tested against? Each strategy gives the same answer at another cost.
 
+mod bounds;
 mod chosen;
 mod exhaustive;
 mod hierarchy;
@@ -7,6 +8,7 @@ mod nearest;
 mod object_test;
 mod waiting;
 
+pub use bounds::BoundedObjects;
 pub use chosen::Chosen;
 pub use exhaustive::Exhaustive;
 pub use hierarchy::{DepthFirst, HeapOrdered};

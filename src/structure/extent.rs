@@ -8,7 +8,7 @@ use crate::scene::Shape;
 ///
 /// A computed hit lies off the exact surface by some 10⁻¹⁵ of the numbers that it was computed from, a
 /// hundredfold where the ray meets the surface flatly. With 10⁻¹⁰ no bound cuts a hit off.
-const ROUNDING: f64 = 1e-10;
+pub(super) const ROUNDING: f64 = 1e-10;
 
 /// The smallest and the largest n·p over the points p of the shape, widened by [`ROUNDING`].
 ///

@@ -117,7 +117,7 @@ pub struct RaySlabs<const N: usize> {
 /// The room that a slab is given on either side, as a share of the coordinates of the ray's origin and of the
 /// bounds: a millionfold of ε, for a sphere's root is good to 10⁻¹⁰ of itself, and where a ray meets a
 /// surface flatly hits lie off the surface by a hundredfold of ε.
-const ROOM: f64 = 2e-10;
+pub(super) const ROOM: f64 = 2e-10;
 
 /// The first slabs are looked at together: to leave between them costs more than it saves.
 const BOX: usize = 3;

@@ -15,6 +15,7 @@ mod search;
 mod shade;
 mod slabs;
 mod steps;
+mod volumes;
 
 use glam::DVec3;
 

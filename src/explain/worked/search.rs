@@ -14,6 +14,8 @@ impl Solution<'_> {
             return;
         }
         match event {
+            Event::SlabTest(test) if course.slabs_in_full => self.slab_test(test, course),
+            Event::BoundTest(test) => self.bound_test(test, course),
             Event::Node(visit) => self.node(visit, course),
             Event::Queue(step) => self.queue(step),
             Event::GridEnter(enter) => self.grid_enter(enter),

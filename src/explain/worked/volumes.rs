@@ -1,0 +1,210 @@
+//! Bounding volumes: where a ray meets one, slab by slab, and whether what is inside is looked at.
+
+use glam::DVec3;
+
+use crate::explain::number::Digits;
+use crate::explain::page::{Tone, printable};
+use crate::explain::worked::Solution;
+use crate::explain::worked::steps::Course;
+use crate::geometry::SlabInterval;
+use crate::structure::{SlabOutcome, SlabStep, VolumeKind};
+use crate::trace::{BoundOutcome, BoundTest, Bounded, Kind, Purpose, SlabTest};
+
+impl Solution<'_> {
+    /// S, T, and from D_min and D_max the near and the far t of one slab.
+    pub(super) fn slab_test(&mut self, test: &SlabTest, course: &Course) {
+        if !self.shows(Kind::SlabTest) {
+            return;
+        }
+        let step = &test.step;
+        if step.slab == 0 {
+            let title = format!("{}: the slabs around it", self.bounded(test.of));
+            self.page.line(Tone::Heading, title);
+        }
+        let first = format!(
+            "slab {}, (A, B, C) = {}: {}",
+            step.slab,
+            Digits::USUAL.vector(step.normal),
+            s_and_t(step, course)
+        );
+        let second = near_and_far(step);
+        let verdict = missed(step);
+        self.page.indented(|page| {
+            page.plain(first);
+            page.indented(|page| {
+                page.plain(second);
+                if let Some(verdict) = verdict {
+                    page.line(Tone::Refused, verdict);
+                }
+            });
+        });
+    }
+
+    /// Where the ray is inside a volume, and what follows from that.
+    pub(super) fn bound_test(&mut self, test: &BoundTest, course: &Course) {
+        if !self.shows(Kind::BoundTest) {
+            return;
+        }
+        let d = Digits::USUAL;
+        let (looked_at, left_out) = match test.of {
+            Bounded::Object(_) => ("the object is tested", "the object inside is not tested"),
+            Bounded::Node(_) => (
+                "what is below it can be looked at",
+                "nothing below it is looked at",
+            ),
+        };
+        let volume = match test.volume {
+            VolumeKind::Sphere => "the bounding sphere",
+            VolumeKind::Ellipsoid => "the bounding ellipsoid",
+            VolumeKind::Box => "the bounding box",
+            VolumeKind::Slabs => "the intersection of the slabs",
+        };
+        let stretch = test.inside.map_or(String::new(), |[near, far]| {
+            format!("from t = {} to t = {}", d.number(near), d.number(far))
+        });
+        let begins = test
+            .inside
+            .map_or(String::new(), |[near, _]| d.number(near));
+        let of = self.bounded(test.of);
+        let (tone, text) = match test.outcome {
+            BoundOutcome::Hit => (Tone::Found, format!("is met {stretch}: {looked_at}")),
+            BoundOutcome::Missed => (Tone::Refused, format!("is missed: {left_out}")),
+            BoundOutcome::Behind => (
+                Tone::Refused,
+                format!("lies behind the origin, {stretch}: {left_out}"),
+            ),
+            BoundOutcome::Beyond => (
+                Tone::Refused,
+                format!("begins at t = {begins}, {}: {left_out}", beyond(course)),
+            ),
+        };
+        self.page.line(tone, format!("{of}: {volume} {text}"));
+    }
+
+    /// What a volume is around, as it is called in the text.
+    fn bounded(&self, of: Bounded) -> String {
+        match of {
+            Bounded::Node(node) => format!("node {node}"),
+            Bounded::Object(object) => {
+                let object = self.scene.objects.get(object as usize);
+                object.map_or("?".into(), |object| printable(&object.name))
+            }
+        }
+    }
+}
+
+/// Behind what a volume begins.
+fn beyond(course: &Course) -> String {
+    let shadow = course
+        .start
+        .is_some_and(|start| start.purpose == Purpose::Shadow);
+    match course.nearest {
+        _ if shadow => "beyond the light".into(),
+        Some(t) => format!("behind the nearest hit, t = {}", Digits::USUAL.number(t)),
+        None => "behind what is met already".into(),
+    }
+}
+
+/// S = A·x₀ + B·y₀ + C·z₀ and T = −1/(A·Δx + B·Δy + C·Δz), with their numbers.
+fn s_and_t(step: &SlabStep, course: &Course) -> String {
+    let Some(start) = course.start else {
+        let d = Digits::USUAL;
+        return match step.interval {
+            SlabInterval::Between { .. } => {
+                let (s, t) = (d.number(step.s), d.number(step.t_scale));
+                format!("S = {s}, T = {t}")
+            }
+            SlabInterval::ParallelInside | SlabInterval::ParallelOutside => {
+                format!("S = {}", d.number(step.s))
+            }
+        };
+    };
+    let (n, origin, direction) = (step.normal, start.ray.origin, start.ray.direction);
+    let largest = |v: DVec3| (n * v).abs().max_element();
+    let d_s = Digits::for_difference(largest(origin), step.s);
+    let s = d_s.difference(largest(origin), step.s);
+    let s = format!("S = {} = {s}", d_s.dot(n, origin));
+    let cosine = n.dot(direction);
+    match step.interval {
+        SlabInterval::Between { .. } => {
+            let d_t = Digits::for_difference(largest(direction), cosine);
+            format!(
+                "{s}, T = -1/[{}] = {}",
+                d_t.dot(n, direction),
+                Digits::USUAL.number(step.t_scale)
+            )
+        }
+        SlabInterval::ParallelInside | SlabInterval::ParallelOutside => {
+            let product = Digits::USUAL.dot(n, direction);
+            let cosine = Digits::USUAL.difference(largest(direction), cosine);
+            format!("{s}, {product} = {cosine}: the ray is parallel")
+        }
+    }
+}
+
+/// near = (S + D)·T of the plane that is met first, far of the other, and what all slabs so far have in
+/// common; for a parallel ray whether S is between the planes.
+fn near_and_far(step: &SlabStep) -> String {
+    let d = Digits::USUAL;
+    let (s, d_min, d_max) = (step.s, step.d_min, step.d_max);
+    // T < 0 along the normal: then the plane furthest back, of D_max, is met first (erratum 5)
+    let (first, second) = if step.t_scale < 0.0 {
+        (("D_max", d_max), ("D_min", d_min))
+    } else {
+        (("D_min", d_min), ("D_max", d_max))
+    };
+    let product = |(name, plane): (&str, f64), t: f64| {
+        let d_sum = Digits::for_difference(s.abs().max(plane.abs()), s + plane);
+        format!(
+            "(S + {name})·T = ({} {})·{} = {}",
+            d_sum.number(s),
+            d_sum.term(plane),
+            d.factor(step.t_scale),
+            d.number(t)
+        )
+    };
+    let between = |inside: &str| {
+        let size = d_min.abs().max(d_max.abs());
+        let edge = (s + d_min).abs().min((s + d_max).abs());
+        let d = Digits::for_difference(size.max(s.abs()), edge);
+        format!(
+            "-D_max = {}, -D_min = {}, and S {inside}",
+            d.number(-d_max),
+            d.number(-d_min)
+        )
+    };
+    let (near, far) = match step.interval {
+        SlabInterval::ParallelInside => return between("is between them: inside for every t"),
+        SlabInterval::ParallelOutside => {
+            return between("is not between them: outside for every t");
+        }
+        SlabInterval::Between { near, far } => (near, far),
+    };
+    format!(
+        "near {}, far {}; largest near {}, smallest far {}",
+        product(first, near),
+        product(second, far),
+        d.number(step.max_near),
+        d.number(step.min_far)
+    )
+}
+
+/// Why no more slabs are looked at, if it is so.
+fn missed(step: &SlabStep) -> Option<String> {
+    let (near, far) = (step.max_near, step.min_far);
+    match step.outcome {
+        SlabOutcome::GoesOn | SlabOutcome::ParallelInside => None,
+        SlabOutcome::ParallelOutside => {
+            Some("no t, missed: no more slabs are looked at".to_owned())
+        }
+        SlabOutcome::Null => {
+            let d = Digits::for_difference(near.abs().max(far.abs()), near - far);
+            Some(format!(
+                "the largest near, {}, is not below the smallest far, {}: no t in common, missed, and no more \
+                 slabs are looked at",
+                d.number(near),
+                d.number(far)
+            ))
+        }
+    }
+}

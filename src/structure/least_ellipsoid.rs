@@ -1,0 +1,300 @@
+//! The ellipsoid of least volume around points, turned as it fits best (Löwner and John).
+//!
+//! It is the ellipsoid of a mean and a covariance: each point has a weight u ≥ 0, all weights together are
+//! 1, and those weights are the best of which the ellipsoid reaches no point further than the others
+//! (F. John 1948). They are found by L. Khachiyan's steps (1996): weight is moved to the point that lies
+//! furthest outside, and, as P. Wolfe and C. Atwood showed, taken away from the point with weight that lies
+//! furthest inside (M. Todd and E. Yıldırım 2007). Points in one plane have the ellipse of least area,
+//! found in the same way with one dimension less.
+
+use glam::{DMat3, DMat4, DVec3, DVec4};
+
+use crate::geometry::OrientedEllipsoid;
+use crate::structure::principal_axes::principal_axes;
+
+/// Points whose distance from a plane is within this share of their size count as flat. It is what a
+/// polygon's vertices may be off their plane.
+const FLAT: f64 = 1e-5;
+
+/// How near to the least volume the weights come: no point lies further outside than this share.
+///
+/// Made to hold every point, the ellipsoid then has less than 1 + 5·10⁻⁹ times the least volume.
+const NEAR_LEAST: f64 = 1e-9;
+
+/// Steps at most for one set of points; some hundreds are usual. What is left is made up for by the size.
+const MOST_STEPS: usize = 20_000;
+
+/// So many points all take part from the start; of more only the outermost, and others as they are found
+/// to lie outside.
+const FEW: usize = 32;
+
+/// The ellipsoid of least volume, or a flat one.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct LeastEllipsoid {
+    /// Around the points. If they are flat, the third half axis stands across their plane and has length 0.
+    pub(super) ellipsoid: OrientedEllipsoid,
+    /// How far the points lie off their plane, if they count as flat.
+    pub(super) off_plane: Option<f64>,
+}
+
+/// The ellipsoid of least volume around points that do not lie on one line; `None` if they do.
+///
+/// `is_flat` says that they belong to one plane, whatever rounding has made of them.
+pub(super) fn least_ellipsoid(points: &[DVec3], is_flat: bool) -> Option<LeastEllipsoid> {
+    let frame = Frame::of(points)?;
+    let is_flat = is_flat || frame.half.z <= FLAT * frame.half.x;
+    let dimensions = if is_flat { 2 } else { 3 };
+    let normed: Vec<DVec3> = points
+        .iter()
+        .map(|&point| frame.normed(point, is_flat))
+        .collect();
+    let weighted = Weighted::least(&normed, dimensions);
+
+    // the ellipsoid of those weights, back in the frame: the columns of F map the unit sphere to it
+    let (mean, root) = weighted.mean_and_root();
+    let half_axes = DMat3::from_diagonal(frame.half) * root;
+    let (directions, mut radii) = principal_axes(half_axes);
+    if is_flat {
+        radii.z = 0.0;
+    }
+    let mut ellipsoid = OrientedEllipsoid {
+        center: frame.center + frame.axes * (frame.half * mean),
+        axes: directions.map(|direction| frame.axes * direction),
+        radii,
+    };
+    // what the weights are short of the best, and rounding
+    let across = |point: DVec3| {
+        let from_center = point - ellipsoid.center;
+        let [u, v, w] = ellipsoid.axes.map(|axis| axis.dot(from_center));
+        let w = if is_flat { 0.0 } else { w / radii.z };
+        DVec3::new(u / radii.x, v / radii.y, w).length_squared()
+    };
+    let largest = points.iter().map(|&p| across(p)).fold(0.0, f64::max);
+    ellipsoid.radii = radii * largest.sqrt();
+    ellipsoid.radii.is_finite().then_some(LeastEllipsoid {
+        ellipsoid,
+        off_plane: is_flat.then_some(frame.half.z),
+    })
+}
+
+/// A box around the points, turned so that they fill a good part of it, however long or flat they are: in
+/// its coordinates, from −1 to 1, every direction counts alike.
+struct Frame {
+    center: DVec3,
+    /// The columns: along the points' greatest length, across it, and across both.
+    axes: DMat3,
+    /// Half the sides.
+    half: DVec3,
+}
+
+impl Frame {
+    /// From a point to the furthest other, and again from there: that is the length. Then the point
+    /// furthest from this line gives the plane. (G. Barequet and S. Har-Peled 2001)
+    fn of(points: &[DVec3]) -> Option<Self> {
+        let first = *points.first()?;
+        let from = largest(points, first, |p| p.distance_squared(first)).0;
+        let to = largest(points, first, |p| p.distance_squared(from)).0;
+        let along = (to - from).try_normalize()?;
+        let off_line = |p: DVec3| (p - from) - along * (p - from).dot(along);
+        let beside = largest(points, first, |p| off_line(p).length_squared()).0;
+        let side = off_line(beside).try_normalize()?;
+        let axes = DMat3::from_cols(along, side, along.cross(side).try_normalize()?);
+        let local = |p: DVec3| axes.transpose() * (p - first);
+        let (mut low, mut high) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
+        for &point in points {
+            low = low.min(local(point));
+            high = high.max(local(point));
+        }
+        Some(Self {
+            center: first + axes * (0.5 * (low + high)),
+            axes,
+            half: 0.5 * (high - low),
+        })
+    }
+
+    /// A point in the coordinates of the box; the third is left out if the points are flat.
+    fn normed(&self, point: DVec3, is_flat: bool) -> DVec3 {
+        let local = self.axes.transpose() * (point - self.center);
+        if is_flat {
+            return DVec3::new(local.x / self.half.x, local.y / self.half.y, 0.0);
+        }
+        local / self.half
+    }
+}
+
+/// Points and their weights.
+///
+/// With q = (p, 1) and M = Σ u·q·qᵀ, a point's level is κ = qᵀ·M⁻¹·q. The mean of the levels is one more
+/// than the dimensions; with the best weights no level is larger, and those of the points with weight equal
+/// that.
+struct Weighted {
+    /// Those that take part.
+    points: Vec<DVec3>,
+    weights: Vec<f64>,
+    /// 3, or 2 with every third coordinate 0.
+    dimensions: usize,
+}
+
+impl Weighted {
+    /// The weights of the ellipsoid of least volume.
+    fn least(points: &[DVec3], dimensions: usize) -> Self {
+        let taking_part = if points.len() <= FEW {
+            points.to_vec()
+        } else {
+            outermost(points)
+        };
+        let even = 1.0 / taking_part.len() as f64;
+        let mut weighted = Self {
+            weights: vec![even; taking_part.len()],
+            points: taking_part,
+            dimensions,
+        };
+        let mut steps = 0;
+        loop {
+            weighted.improve(&mut steps);
+            if points.len() <= FEW {
+                return weighted;
+            }
+            // the others: does one of them lie outside?
+            let levels = Levels(weighted.moments().inverse());
+            let (outermost, level) = largest(points, points[0], |point| levels.of(point));
+            let all_inside = level <= weighted.best() * (1.0 + 2.0 * NEAR_LEAST);
+            if all_inside || MOST_STEPS <= steps {
+                return weighted;
+            }
+            weighted.points.push(outermost);
+            weighted.weights.push(0.0);
+        }
+    }
+
+    /// The level of the points on the best ellipsoid.
+    fn best(&self) -> f64 {
+        (self.dimensions + 1) as f64
+    }
+
+    /// Moves weight until no point that takes part lies outside by more than [`NEAR_LEAST`].
+    ///
+    /// The step to a point of level κ that makes the volume least, u ← (1 − β)u + β there, is
+    /// β = (κ − D)/(D(κ − 1)) with D one more than the dimensions: above 0 outside, below 0 inside, and no
+    /// lower than takes all weight from the point.
+    fn improve(&mut self, steps: &mut usize) {
+        let best = self.best();
+        while *steps < MOST_STEPS {
+            *steps += 1;
+            let levels = Levels(self.moments().inverse());
+            let (mut outer, mut inner) = ((0, 0.0), (0, f64::INFINITY));
+            for (i, (&point, &weight)) in self.points.iter().zip(&self.weights).enumerate() {
+                let level = levels.of(point);
+                if outer.1 < level {
+                    outer = (i, level);
+                }
+                if 0.0 < weight && level < inner.1 {
+                    inner = (i, level);
+                }
+            }
+            let (outside, inside) = (outer.1 / best - 1.0, 1.0 - inner.1 / best);
+            if outside <= NEAR_LEAST {
+                return;
+            }
+            let (at, level) = if inside <= outside { outer } else { inner };
+            let least = -self.weights[at] / (1.0 - self.weights[at]);
+            // a level of 1 or less is that of a point so far inside that it is better without weight
+            let step = if level <= 1.0 {
+                least
+            } else {
+                ((level - best) / (best * (level - 1.0))).max(least)
+            };
+            for weight in &mut self.weights {
+                *weight *= 1.0 - step;
+            }
+            self.weights[at] = if step <= least {
+                0.0
+            } else {
+                self.weights[at] + step
+            };
+        }
+    }
+
+    /// M = Σ u·q·qᵀ; for flat points with a 1 where the third coordinate has only zeros.
+    fn moments(&self) -> DMat4 {
+        let mut sum = DMat4::ZERO;
+        for (&point, &weight) in self.points.iter().zip(&self.weights) {
+            let q = point.extend(1.0);
+            let column = |x: f64| (weight * x) * q;
+            sum += DMat4::from_cols(column(q.x), column(q.y), column(q.z), column(q.w));
+        }
+        if self.dimensions == 2 {
+            sum.z_axis.z = 1.0;
+        }
+        sum
+    }
+
+    /// The ellipsoid's center, and a lower triangular matrix that maps the unit sphere to the ellipsoid
+    /// around it: the root of the covariance times the dimensions (A. Cholesky).
+    fn mean_and_root(&self) -> (DVec3, DMat3) {
+        let weighted = || self.points.iter().zip(&self.weights);
+        let mean: DVec3 = weighted().map(|(&p, &u)| u * p).sum();
+        let mut covariance = DMat3::ZERO;
+        for (&point, &weight) in weighted() {
+            let off = point - mean;
+            let column = |x: f64| (self.dimensions as f64 * weight * x) * off;
+            covariance += DMat3::from_cols(column(off.x), column(off.y), column(off.z));
+        }
+        if self.dimensions == 2 {
+            covariance.z_axis.z = 1.0;
+        }
+        (mean, cholesky(covariance))
+    }
+}
+
+/// M⁻¹, which gives each point its level.
+struct Levels(DMat4);
+
+impl Levels {
+    fn of(&self, point: DVec3) -> f64 {
+        let q: DVec4 = point.extend(1.0);
+        q.dot(self.0 * q)
+    }
+}
+
+/// The points that lie furthest along 13 directions and against them: those of the faces, edges and corners
+/// of a cube.
+fn outermost(points: &[DVec3]) -> Vec<DVec3> {
+    let mut found: Vec<DVec3> = Vec::new();
+    for number in 0..27 {
+        let direction = [1, 3, 9].map(|place| f64::from(number / place % 3 - 1));
+        let direction = DVec3::from(direction);
+        // the points are around 0, so that some are in front of it
+        let (outermost, _) = largest(points, points[0], |point| direction.dot(point));
+        if !found.contains(&outermost) {
+            found.push(outermost);
+        }
+    }
+    found
+}
+
+/// The first of the points for which a quantity is largest, and that; `otherwise` if it is 0 for all.
+fn largest(points: &[DVec3], otherwise: DVec3, quantity: impl Fn(DVec3) -> f64) -> (DVec3, f64) {
+    let mut largest = (otherwise, 0.0);
+    for &point in points {
+        let of_point = quantity(point);
+        if largest.1 < of_point {
+            largest = (point, of_point);
+        }
+    }
+    largest
+}
+
+/// The lower triangular L with L·Lᵀ = a symmetric matrix.
+fn cholesky(a: DMat3) -> DMat3 {
+    let x = a.x_axis.x.sqrt();
+    let (xy, xz) = (a.x_axis.y / x, a.x_axis.z / x);
+    let y = (a.y_axis.y - xy * xy).sqrt();
+    let yz = (a.y_axis.z - xy * xz) / y;
+    let z = (a.z_axis.z - xz * xz - yz * yz).sqrt();
+    DMat3::from_cols(
+        DVec3::new(x, xy, xz),
+        DVec3::new(0.0, y, yz),
+        DVec3::new(0.0, 0.0, z),
+    )
+}

@@ -1,0 +1,168 @@
+//! The worked solution tells each volume and each slab, with numbers that come out.
+
+use glam::DVec3;
+use raystep::{
+    BoundedObjects, Recording, Scene, Settings, SlabSet, Through, Tracer, Transport, VolumeKind,
+    WorkedOptions, trace_pixel, worked_solution,
+};
+
+use super::{KINDS, brick, cone, ellipsoid, mesh, outline, own_set, polygon, scene, solid, sphere};
+use crate::calculator::check_line;
+use crate::seeded::Seeded;
+
+fn solution<const N: usize>(
+    scene: &Scene,
+    kind: VolumeKind,
+    set: &SlabSet<N>,
+    pixel: [u32; 2],
+) -> String {
+    let strategy = BoundedObjects::new(scene, kind, set);
+    let tracer = Tracer {
+        scene,
+        strategy: &strategy,
+        transport: Transport::HybridLight,
+    };
+    let mut recording = Recording::new(Vec::new());
+    trace_pixel(&tracer, pixel, Through::Centres, &mut recording);
+    let options = WorkedOptions::default();
+    let records = recording.into_sink();
+    worked_solution(scene, &Settings::default(), &records, &options)
+}
+
+/// The eye is at (0, 0, 9), and the pixel's ray runs to (½, ½, 5): Δ = (1, 1, −8)/√66.
+const TOP_RIGHT: [u32; 2] = [1, 0];
+
+#[track_caller]
+fn check_lines(text: &str, lines: &[&str]) {
+    let mut rest = text;
+    for line in lines {
+        let at = rest.find(line);
+        assert!(at.is_some(), "{line:?} is not, or not in order, in\n{text}");
+        rest = &rest[at.unwrap() + line.len()..];
+    }
+}
+
+#[test]
+fn a_met_a_missed_and_a_hidden_volume_are_told_with_what_follows() {
+    let scene = scene(&[
+        sphere(DVec3::new(1.0, 1.0, 1.0), 1.0),
+        sphere(DVec3::new(-5.0, 0.0, 1.0), 1.0),
+        sphere(DVec3::new(1.5, 1.5, -3.0), 1.0),
+        sphere(DVec3::new(-1.0, -1.0, 17.0), 1.0),
+    ]);
+    // through the center of the first, √66 = 8.12404 away
+    let text = solution(&scene, VolumeKind::Sphere, &SlabSet::AXES, TOP_RIGHT);
+    let lines = [
+        "0: the bounding sphere is met from t = 7.12404 to t = 9.12404: the object is tested",
+        "1: the bounding sphere is missed: the object inside is not tested",
+        "2: the bounding sphere begins at t = 11.1861, behind the nearest hit, t = 7.12404: the object inside \
+         is not tested",
+        "3: the bounding sphere lies behind the origin, from t = -9.12404 to t = -7.12404: the object inside \
+         is not tested",
+    ];
+    check_lines(&text, &lines);
+}
+
+#[test]
+fn each_slab_is_worked_out_up_to_the_one_at_which_near_and_far_cross() {
+    let scene = scene(&[
+        sphere(DVec3::new(1.0, 1.0, 1.0), 1.0),
+        solid(DVec3::new(0.0, 2.0, 0.0), DVec3::new(4.0, 3.0, 4.0)),
+    ]);
+    let text = solution(&scene, VolumeKind::Slabs, &SlabSet::AXES, TOP_RIGHT);
+    // x from 0 to 2: T = −√66, D from −2 to 0. Of the solid x lies between t = 0 and 4√66 = 32.4962, y from
+    // 2√66 = 16.2481 on, and z = 0 is passed at 9√66/8 = 9.13955
+    let lines = [
+        "0: the slabs around it",
+        "slab 0, (A, B, C) = (1, 0, 0): S = 1·0 + 0·0 + 0·9 = 0, T = -1/[1·0.123091 + 0·0.123091 + \
+         0·(-0.984732)] = -8.12404",
+        "far (S + D_min)·T = (0 - 2)·(-8.12404) = 16.2481; largest near",
+        "slab 2, (A, B, C) = (0, 0, 1): S = 0·0 + 0·0 + 1·9 = 9, T = -1/[0·0.123091 + 0·0.123091 + \
+         1·(-0.984732)] = 1.0155",
+        "near (S + D_min)·T = (9 - 2)·1.0155 = 7.10853, far",
+        "0: the intersection of the slabs is met from t = 7.10853 to t = 9.13954: the object is tested",
+        "1: the slabs around it",
+        "the largest near, 16.24808, is not below the smallest far, 9.139543: no t in common, missed, and no \
+         more slabs are looked at",
+        "1: the intersection of the slabs is missed: the object inside is not tested",
+    ];
+    check_lines(&text, &lines);
+}
+
+#[test]
+fn every_line_about_volumes_can_be_computed_again() {
+    let mut random = Seeded::new(11);
+    let (mut equations, mut verdicts) = (0, 0);
+    for _ in 0..25 {
+        let mut near = || random.point(1.5);
+        let (a, b, c, d) = (near(), near(), near(), near());
+        let shapes = [
+            sphere(a, 0.7),
+            ellipsoid(b, DVec3::new(0.3, 0.9, 0.5)),
+            solid(c - 0.5, c + 0.25),
+            cone(d, 0.5, a, 0.1),
+            polygon(&outline(&mut random, 5, 0.3)),
+            mesh(&brick(&mut random)),
+        ];
+        let scene = scene(&shapes);
+        let mut texts = KINDS
+            .map(|kind| solution(&scene, kind, &SlabSet::SEVEN, TOP_RIGHT))
+            .to_vec();
+        texts.push(solution(&scene, VolumeKind::Slabs, &own_set(), [0, 1]));
+        for text in texts {
+            for line in text.lines() {
+                let [numbers, _] = check_line(line);
+                if line.contains("slab ") || line.contains("near (") {
+                    equations += numbers;
+                }
+                verdicts += usize::from(line.contains(": the bounding "));
+            }
+        }
+    }
+    assert!(2000 < equations && 400 < verdicts, "{equations} {verdicts}");
+}
+
+#[test]
+fn a_parallel_ray_is_told_by_where_its_s_lies() {
+    // the middle of the window is at the corner of its four pixels: a window moved by half a pixel has the
+    // axis itself as a ray, parallel to the slabs across x and y
+    let scene = scene(&[
+        sphere(DVec3::new(0.5, 0.5, 0.0), 1.0),
+        sphere(DVec3::new(3.5, 0.5, 0.0), 1.0),
+    ]);
+    let strategy = BoundedObjects::new(&scene, VolumeKind::Slabs, &SlabSet::AXES);
+    let mut recording = Recording::new(Vec::new());
+    use raystep::{Event, Outcome, Purpose, Ray, RayEnd, RayStart, Recorder, Strategy, TRange};
+    let ray = Ray::new(DVec3::new(0.5, 0.5, 9.0), -DVec3::Z);
+    recording.note(|| {
+        Event::Ray(RayStart {
+            purpose: Purpose::Eye,
+            ray,
+            depth: 1,
+            ..RayStart::default()
+        })
+    });
+    strategy.nearest(&ray, TRange::FORWARD, &mut recording);
+    recording.note(|| {
+        Event::RayEnd(RayEnd {
+            outcome: Outcome::Miss,
+            ..RayEnd::default()
+        })
+    });
+    let options = WorkedOptions::default();
+    let records = recording.into_sink();
+    let text = worked_solution(&scene, &Settings::default(), &records, &options);
+    // −D runs from −0.5 to 1.5, and for the second sphere from 2.5 to 4.5
+    let lines = [
+        "S = 1·0.5 + 0·0.5 + 0·9 = 0.5, 1·0 + 0·0 + 0·(-1) = 0: the ray is parallel",
+        "-D_max = -0.5, -D_min = 1.5, and S is between them: inside for every t",
+        "0: the intersection of the slabs is met from t = 8 to t = 10: the object is tested",
+        "-D_max = 2.5, -D_min = 4.5, and S is not between them: outside for every t",
+        "no t, missed: no more slabs are looked at",
+        "1: the intersection of the slabs is missed: the object inside is not tested",
+    ];
+    check_lines(&text, &lines);
+    for line in text.lines() {
+        check_line(line);
+    }
+}
