@@ -55,10 +55,10 @@ pub use explain::{
     WorkedOptions, counts_json, counts_text, pixel_json, printable, worked_solution,
 };
 pub use geometry::{
-    Alignment, Axis, AxisBox, BoxTest, Cone, DecidedBy, EdgeTest, Ellipsoid, Fate, GRAZE,
-    OrientedEllipsoid, Plane, PlaneTest, PlaneVerdict, Polygon, PolygonError, PolygonTest,
-    QuadraticTest, Ray, Refraction, Root, Roots, Sides, SlabInterval, SlabRay, Sphere, TRange,
-    interpolated_normal, mean_value_weights, reflect, refract,
+    AlignedRay, AlignedSlab, Alignment, Axis, AxisBox, BoxTest, Cone, DecidedBy, EdgeTest,
+    Ellipsoid, Fate, GRAZE, OrientedEllipsoid, Plane, PlaneTest, PlaneVerdict, Polygon,
+    PolygonError, PolygonTest, QuadraticTest, Ray, Refraction, Root, Roots, Sides, SlabInterval,
+    SlabRay, Sphere, TRange, interpolated_normal, mean_value_weights, reflect, refract,
 };
 pub use scene::{
     Camera, Emission, Fault, Light, LoadError, Loaded, Material, Materials, Normals, Object,
@@ -67,7 +67,7 @@ pub use scene::{
 };
 pub use strategy::{
     AnyHit, BoundedObjects, Chosen, DepthFirst, Exhaustive, HeapOrdered, Hit, NearestSoFar, Search,
-    Strategy, test_primitive,
+    Strategy, ZAligned, test_primitive,
 };
 pub use structure::{
     Across, AssignStep, Build, CellStep, GridOptions, Hierarchy, Inside, Link, Lists, MOST_SLABS,

@@ -4,8 +4,8 @@
 use std::path::Path;
 
 use raystep::{
-    Exhaustive, Recording, Settings, Through, Tracer, Transport, WorkedOptions, load, trace_pixel,
-    worked_solution,
+    Chosen, Recording, Settings, StrategyName, StructureOptions, Through, Tracer, Transport,
+    WorkedOptions, load, trace_pixel, worked_solution,
 };
 
 /// Half a unit in the sixth digit, of three printed numbers that enter.
@@ -206,10 +206,10 @@ pub(crate) fn check_line(line: &str) -> [usize; 2] {
     checked
 }
 
-fn solution(scene: &str, pixel: [u32; 2]) -> String {
+fn solution(scene: &str, pixel: [u32; 2], strategy: StrategyName) -> String {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(scene);
     let scene = load(&path).unwrap().build().unwrap();
-    let strategy = Exhaustive::new(&scene);
+    let strategy = Chosen::new(&scene, strategy, &StructureOptions::default()).unwrap();
     let tracer = Tracer {
         scene: &scene,
         strategy: &strategy,
@@ -232,7 +232,12 @@ fn solution(scene: &str, pixel: [u32; 2]) -> String {
 /// At least so many equations in the solution, each of which comes out.
 #[track_caller]
 fn check(scene: &str, pixel: [u32; 2], at_least: [usize; 2]) {
-    let text = solution(scene, pixel);
+    check_with(StrategyName::Exhaustive, scene, pixel, at_least);
+}
+
+#[track_caller]
+fn check_with(strategy: StrategyName, scene: &str, pixel: [u32; 2], at_least: [usize; 2]) {
+    let text = solution(scene, pixel, strategy);
     let mut sum = [0; 2];
     // P goes over two lines
     for line in text.replace("\n    = ", " = ").lines() {
@@ -305,6 +310,27 @@ fn pixels_of_the_databases_can_be_computed_again() {
         ("mount-3", [100, 5]),
         ("rings-1", [50, 5]),
         ("teapot-2", [500, 5]),
+        ("tetra-3", [50, 3]),
+        ("tree-4", [100, 5]),
+    ] {
+        for pixel in [[256, 256], [200, 300]] {
+            check(&format!("tests/data/nff/{name}.nff"), pixel, at_least);
+        }
+    }
+}
+
+#[test]
+fn aligned_rays_can_be_computed_again() {
+    let check = |scene: &str, pixel, at_least| {
+        check_with(StrategyName::ZAligned, scene, pixel, at_least);
+    };
+    for pixel in [[80, 60], [120, 60], [80, 110], [112, 56], [140, 62]] {
+        check("lessons/04-sphere/scene.json", pixel, [20, 3]);
+    }
+    for (name, at_least) in [
+        ("balls-2", [500, 10]),
+        ("gears-1", [100, 5]),
+        ("rings-1", [50, 5]),
         ("tetra-3", [50, 3]),
         ("tree-4", [100, 5]),
     ] {

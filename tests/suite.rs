@@ -18,3 +18,4 @@ mod sphere_exact;
 mod trace_log;
 mod watertight;
 mod worked_solution;
+mod z_aligned;

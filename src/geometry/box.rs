@@ -51,7 +51,31 @@ impl AxisBox {
             slab(DVec3::Y, self.min.y, self.max.y),
             slab(DVec3::Z, self.min.z, self.max.z),
         ];
+        BoxTest::of(slabs, range, sides)
+    }
 
+    /// The unit normal of the face that a point of the surface lies on, outwards.
+    ///
+    /// On an edge or a corner: of the first such face in the order x, y, z.
+    pub fn normal(&self, point: DVec3) -> DVec3 {
+        let half = 0.5 * (self.max - self.min);
+        let from_center = (point - 0.5 * (self.min + self.max)) / half;
+        let [x, y, z] = from_center.abs().to_array();
+        let axis = if y <= x && z <= x {
+            DVec3::X
+        } else if z <= y {
+            DVec3::Y
+        } else {
+            DVec3::Z
+        };
+        axis * from_center.dot(axis).signum()
+    }
+}
+
+impl BoxTest {
+    /// What three slabs have in common: from the largest near to the smallest far.
+    #[inline]
+    pub(super) fn of(slabs: [SlabInterval; 3], range: TRange, sides: Sides) -> Self {
         let (mut near, mut far) = (f64::NEG_INFINITY, f64::INFINITY);
         for interval in slabs {
             match interval {
@@ -71,24 +95,7 @@ impl AxisBox {
         } else {
             two_roots([near, far], range, refused, true)
         };
-        BoxTest { slabs, roots }
-    }
-
-    /// The unit normal of the face that a point of the surface lies on, outwards.
-    ///
-    /// On an edge or a corner: of the first such face in the order x, y, z.
-    pub fn normal(&self, point: DVec3) -> DVec3 {
-        let half = 0.5 * (self.max - self.min);
-        let from_center = (point - 0.5 * (self.min + self.max)) / half;
-        let [x, y, z] = from_center.abs().to_array();
-        let axis = if y <= x && z <= x {
-            DVec3::X
-        } else if z <= y {
-            DVec3::Y
-        } else {
-            DVec3::Z
-        };
-        axis * from_center.dot(axis).signum()
+        Self { slabs, roots }
     }
 }
 

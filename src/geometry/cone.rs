@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use crate::geometry::quadratic::Quadratic;
-use crate::geometry::{QuadraticTest, Ray, Sides, TRange};
+use crate::geometry::{Alignment, QuadraticTest, Ray, Sides, TRange};
 
 /// The surface between a base circle and an apex circle around the axis from base to apex.
 ///
@@ -78,6 +78,18 @@ impl Cone {
     /// k = (r_apex − r_base)/height.
     pub fn slope(&self) -> f64 {
         self.slope
+    }
+
+    /// The same cone in the frame of a ray: both circles are moved, the axis is turned.
+    #[inline]
+    #[must_use]
+    pub fn aligned(&self, frame: &Alignment) -> Self {
+        Self {
+            base: frame.point(self.base),
+            apex: frame.point(self.apex),
+            axis: frame.vector(self.axis),
+            ..*self
+        }
     }
 
     /// Where does the ray meet the surface between base and apex?

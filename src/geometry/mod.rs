@@ -4,6 +4,7 @@
 //! small struct: that struct is the result and, one layer up, the payload of a trace event. Nothing
 //! here does I/O, records or panics on finite input.
 
+mod aligned;
 mod alignment;
 mod r#box;
 mod cone;
@@ -23,7 +24,8 @@ mod smooth_normal;
 mod sphere;
 mod twofold;
 
-pub use alignment::Alignment;
+pub use aligned::AlignedSlab;
+pub use alignment::{AlignedRay, Alignment};
 pub use r#box::{AxisBox, BoxTest};
 pub use cone::Cone;
 pub use ellipsoid::Ellipsoid;

@@ -56,9 +56,9 @@ impl Sphere {
 /// larger of it and (b/2)², the discriminant is taken again. With D a quarter of it, the larger root is
 /// (|b|/2 + √D)/a: the plain rounding of D, some 10⁻¹⁵ of |Δ|²|o − center|², changes that by
 /// 10⁻¹⁵/(2·10⁻⁵) = 5·10⁻¹¹ of itself at most, from afar as from close to the surface.
-const DISCRIMINANT_CANCELS: f64 = 1e-5;
+pub(super) const DISCRIMINANT_CANCELS: f64 = 1e-5;
 /// Below this share of r², c has lost digits and is taken again, for the same reason.
-const C_CANCELS: f64 = 1e-6;
+pub(super) const C_CANCELS: f64 = 1e-6;
 
 impl Quadratic {
     /// Equation (iii).

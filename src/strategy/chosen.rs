@@ -2,7 +2,9 @@
 
 use crate::geometry::Ray;
 use crate::scene::Scene;
-use crate::strategy::{BoundedObjects, DepthFirst, Exhaustive, HeapOrdered, Search, Strategy};
+use crate::strategy::{
+    BoundedObjects, DepthFirst, Exhaustive, HeapOrdered, Search, Strategy, ZAligned,
+};
 use crate::structure::{
     MOST_SLABS, SlabChoice, SlabSet, StructureError, StructureOptions, VolumeKind,
 };
@@ -31,6 +33,8 @@ pub enum Chosen<'a> {
     Heap7(HeapOrdered<'a, 7>),
     /// The same, walked by a heap.
     HeapOwn(Box<HeapOrdered<'a, MOST_SLABS>>),
+    /// Every object, in the frame of the ray.
+    ZAligned(ZAligned<'a>),
 }
 
 impl<'a> Chosen<'a> {
@@ -85,6 +89,7 @@ impl<'a> Chosen<'a> {
             (StrategyName::Heap, SlabChoice::Scene) => {
                 Self::HeapOwn(Box::new(HeapOrdered::new(scene, &own()?, build)))
             }
+            (StrategyName::ZAligned, _) => Self::ZAligned(ZAligned::new(scene)),
             _ => Self::Exhaustive(Exhaustive::new(scene)),
         })
     }
@@ -104,6 +109,7 @@ macro_rules! whichever {
             Chosen::Heap3($strategy) => $work,
             Chosen::Heap7($strategy) => $work,
             Chosen::HeapOwn($strategy) => $work,
+            Chosen::ZAligned($strategy) => $work,
         }
     };
 }

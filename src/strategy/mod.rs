@@ -7,6 +7,7 @@ mod hierarchy;
 mod nearest;
 mod object_test;
 mod waiting;
+mod z_aligned;
 
 pub use bounds::BoundedObjects;
 pub use chosen::Chosen;
@@ -14,6 +15,7 @@ pub use exhaustive::Exhaustive;
 pub use hierarchy::{DepthFirst, HeapOrdered};
 pub use nearest::{AnyHit, Hit, NearestSoFar, Search};
 pub use object_test::test_primitive;
+pub use z_aligned::ZAligned;
 
 use crate::geometry::{Ray, TRange};
 use crate::trace::Recorder;

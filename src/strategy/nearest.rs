@@ -21,6 +21,12 @@ pub trait Search {
     /// Where a hit still counts.
     fn range(&self) -> TRange;
 
+    /// Does the first hit end the search? Then there is nothing to sort.
+    #[inline]
+    fn ends_at_first(&self) -> bool {
+        false
+    }
+
     /// Takes a hit within the range; `Break` if no other can matter.
     fn offer<R: Recorder>(
         &mut self,
@@ -124,6 +130,11 @@ impl Search for AnyHit {
     #[inline]
     fn range(&self) -> TRange {
         self.range
+    }
+
+    #[inline]
+    fn ends_at_first(&self) -> bool {
+        true
     }
 
     #[inline]

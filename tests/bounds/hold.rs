@@ -34,7 +34,7 @@ fn surface_point(shape: &Shape, random: &mut Seeded) -> DVec3 {
         }
         Shape::Polygon(polygon) => {
             // a triangle of vertices may leave a concave outline, but never the vertices' extent
-            let vertices = polygon.vertices();
+            let vertices: Vec<DVec3> = polygon.vertices().collect();
             let [a, b, c] = [0; 3].map(|_| vertices[random.index(vertices.len())]);
             let (s, t) = (random.unit(), random.unit());
             if random.index(3) == 0 {

@@ -116,7 +116,7 @@ fn grazing(scene: &Scene, direction: DVec3, random: &mut Seeded) -> Ray {
             ][random.index(2)]
         }
         Shape::Polygon(polygon) => {
-            let vertices = polygon.vertices();
+            let vertices: Vec<DVec3> = polygon.vertices().collect();
             let i = random.index(vertices.len());
             let next = vertices[(i + 1) % vertices.len()];
             let share = [0.0, 0.5, random.unit()][random.index(3)];

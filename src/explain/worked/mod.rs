@@ -4,6 +4,7 @@
 //! hits is worked out in full, one that misses in a line or two; where a ray meets many objects, most of
 //! its misses are summed up unless all are asked for.
 
+mod aligned;
 mod arrival;
 mod cells;
 mod misses;

@@ -40,7 +40,7 @@ impl Solution<'_> {
         }
         if let Some(inside) = inside {
             if self.shows(Kind::PolygonTest) {
-                self.projection(inside);
+                self.projection(inside, course);
             }
             if self.shows(Kind::Edge) && (full || inside.decided_by == DecidedBy::Ray) {
                 self.edges(edges, inside);
@@ -71,10 +71,10 @@ impl Solution<'_> {
             let parts = plane.normal.abs() * o.abs();
             parts.element_sum()
         };
-        let d = match course.start {
-            Some(start) => {
-                Digits::for_difference(terms(start.ray.origin) + plane.d.abs(), test.numerator).or(
-                    Digits::for_difference(terms(start.ray.direction), test.denominator),
+        let d = match course.ray() {
+            Some(ray) => {
+                Digits::for_difference(terms(ray.origin) + plane.d.abs(), test.numerator).or(
+                    Digits::for_difference(terms(ray.direction), test.denominator),
                 )
             }
             None => Digits::USUAL,
@@ -100,15 +100,15 @@ impl Solution<'_> {
         self.page.plain(equation);
         // a flat ray's t may have been moved from here, most often by less than is printed
         let quotient = -test.numerator / test.denominator;
-        match course.start.filter(|_| full) {
-            Some(start) => {
+        match course.ray().filter(|_| full) {
+            Some(ray) => {
                 self.page
                     .plain("t = -(A·x₀ + B·y₀ + C·z₀ + D)/(A·Δx + B·Δy + C·Δz) … (v)");
                 self.page.plain(format!(
                     "  = -({} {})/({})",
-                    d.dot(plane.normal, start.ray.origin),
+                    d.dot(plane.normal, ray.origin),
                     d.term(plane.d),
-                    d.dot(plane.normal, start.ray.direction)
+                    d.dot(plane.normal, ray.direction)
                 ));
                 self.page.plain(format!(
                     "  = -{}/{} = {}",
@@ -137,8 +137,16 @@ impl Solution<'_> {
     }
 
     /// p, the dropped coordinate and p′.
-    fn projection(&mut self, test: &PolygonTest) {
+    fn projection(&mut self, test: &PolygonTest, course: &Course) {
         let d = Digits::USUAL;
+        if course.aligned.is_some() {
+            self.page.plain(format!(
+                "p = {} lies on the z axis; z is dropped, along the ray: p' = {}",
+                d.vector(test.point),
+                d.point(test.projected)
+            ));
+            return;
+        }
         let (letter, coefficient) = match test.dropped {
             Axis::X => ("x", "A"),
             Axis::Y => ("y", "B"),

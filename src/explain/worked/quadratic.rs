@@ -22,27 +22,27 @@ impl Solution<'_> {
         let Shape::Sphere(sphere) = &self.scene.primitive(object).shape else {
             return;
         };
-        let (center, radius) = (sphere.center, sphere.radius);
+        let (center, radius) = (course.place(sphere.center), sphere.radius);
         let d = Digits::USUAL;
         let what = format!(
             "sphere, center {}, radius {}",
             d.vector(center),
             d.number(radius)
         );
-        let Some(start) = course.start else {
+        let Some(ray) = course.ray().filter(|_| full) else {
             return self.quadratic_in_short(object, &what, test, course);
         };
-        if !full {
-            return self.quadratic_in_short(object, &what, test, course);
-        }
         self.object_line(object, &what);
-        let offset = start.ray.origin - center;
+        let offset = ray.origin - center;
         self.page.indent();
         self.page.plain("a·t² + b·t + c = 0 … (iii)");
         let given = format!("o - center = {}", precise(test, offset).vector(offset));
         self.page.plain(given);
-        self.coefficients(&Ray::new(offset, start.ray.direction), radius, test);
+        self.coefficients(&Ray::new(offset, ray.direction), radius, test);
         self.roots(test);
+        if course.aligned.is_some() {
+            self.sphere_at_axis(center, radius);
+        }
         self.verdict(&test.roots, course);
         self.page.outdent();
     }
@@ -58,32 +58,45 @@ impl Solution<'_> {
         let Shape::Ellipsoid(ellipsoid) = &self.scene.primitive(object).shape else {
             return;
         };
-        let (center, radii) = (ellipsoid.center, ellipsoid.radii);
+        let ellipsoid = *ellipsoid;
+        let (center, radii) = (course.place(ellipsoid.center), ellipsoid.radii);
         let d = Digits::USUAL;
         let what = format!(
             "ellipsoid, center {}, radii {}",
             d.vector(center),
             d.vector(radii)
         );
-        let Some(start) = course.start.filter(|_| full) else {
+        let Some(ray) = course.ray().filter(|_| full) else {
             return self.quadratic_in_short(object, &what, test, course);
         };
         self.object_line(object, &what);
-        let scaled = Ray::new(
-            (start.ray.origin - center) / radii,
-            start.ray.direction / radii,
-        );
+        let (scaled, offset_by, direction_by) = match course.aligned {
+            // its half axes h are turned
+            Some(aligned) => (
+                ellipsoid.unit_ray(&aligned),
+                "hᵢ·(o - center)/rᵢ²",
+                "hᵢ·Δ/rᵢ²",
+            ),
+            None => (
+                Ray::new((ray.origin - center) / radii, ray.direction / radii),
+                "(o - center)/radii",
+                "Δ/radii",
+            ),
+        };
         let d = precise(test, scaled.origin);
         self.page.indent();
-        self.page.plain(
-            "divided by its radii it is the unit sphere, and t stays: a·t² + b·t + c = 0 … (iii)",
-        );
+        let along = course.aligned.map_or("", |_| " along its half axes h");
         self.page.plain(format!(
-            "o - center → (o - center)/radii = {}",
+            "divided by its radii{along} it is the unit sphere, and t stays: a·t² + b·t + c = 0 … (iii)"
+        ));
+        self.page.plain(format!(
+            "o - center → {offset_by} = {}",
             d.vector(scaled.origin)
         ));
-        self.page
-            .plain(format!("Δ → Δ/radii = {}", d.vector(scaled.direction)));
+        self.page.plain(format!(
+            "Δ → {direction_by} = {}",
+            d.vector(scaled.direction)
+        ));
         self.coefficients(&scaled, 1.0, test);
         self.roots(test);
         self.verdict(&test.roots, course);
@@ -101,7 +114,9 @@ impl Solution<'_> {
         let Shape::Cone(cone) = &self.scene.primitive(object).shape else {
             return;
         };
-        let cone = *cone;
+        let cone = course
+            .aligned
+            .map_or(*cone, |aligned| cone.aligned(&aligned.frame));
         let d = Digits::USUAL;
         let [base_radius, apex_radius] = cone.radii();
         let what = if base_radius == apex_radius {
@@ -120,15 +135,15 @@ impl Solution<'_> {
                 d.number(apex_radius)
             )
         };
-        let Some(start) = course.start.filter(|_| full) else {
+        let Some(ray) = course.ray().filter(|_| full) else {
             return self.quadratic_in_short(object, &what, test, course);
         };
         self.object_line(object, &what);
         let (axis, slope) = (cone.axis(), cone.slope());
-        let m = start.ray.origin - cone.base();
-        let (height, climb) = (m.dot(axis), start.ray.direction.dot(axis));
+        let m = ray.origin - cone.base();
+        let (height, climb) = (m.dot(axis), ray.direction.dot(axis));
         let across = m - height * axis;
-        let direction = start.ray.direction - climb * axis;
+        let direction = ray.direction - climb * axis;
         let radius = base_radius + slope * height;
         let d = precise(test, across);
         self.page.indent();

@@ -9,7 +9,7 @@ use crate::explain::worked::Solution;
 use crate::explain::worked::misses::{FOLDED_FROM, LONGEST_UNFOLDED};
 use crate::explain::worked::steps::{Course, Step, Test, steps};
 use crate::scene::PrimitiveId;
-use crate::trace::{Kind, Nearest, Outcome, Purpose, RayEnd, RayStart};
+use crate::trace::{Event, Kind, Nearest, Outcome, Purpose, RayEnd, RayStart};
 
 impl Solution<'_> {
     /// The whole working of a ray, with the rays sent on from it indented below.
@@ -23,6 +23,7 @@ impl Solution<'_> {
         let mut course = Course {
             place,
             start: node.start,
+            aligned: self.aligned_ray(&steps, node.start),
             nearest: None,
             nearest_object: None,
             shade,
@@ -54,10 +55,10 @@ impl Solution<'_> {
                     nearest,
                 } => {
                     self.test(*object, test, *nearest, &mut course);
-                    let misses = misses_at_start(rest);
+                    let (misses, length) = misses_at_start(rest);
                     if fold && test.hit().is_none() && LONGEST_UNFOLDED <= misses {
                         // the first of the run was shown, the others are summed up
-                        let (run, after) = rest.split_at(misses);
+                        let (run, after) = rest.split_at(length);
                         self.folded(run, &course);
                         rest = after;
                     }
@@ -344,10 +345,18 @@ fn range_text(start: &RayStart) -> String {
     }
 }
 
-/// How many tests without a hit come next.
-fn misses_at_start(steps: &[Step]) -> usize {
-    steps
-        .iter()
-        .take_while(|step| matches!(step, Step::Test { test, .. } if test.hit().is_none()))
-        .count()
+/// How many tests without a hit come next, and over how many steps: an aligned object comes before its test.
+fn misses_at_start(steps: &[Step]) -> (usize, usize) {
+    let (mut misses, mut length) = (0, 0);
+    for (at, step) in steps.iter().enumerate() {
+        match step {
+            Step::Test { test, .. } if test.hit().is_none() => {
+                misses += 1;
+                length = at + 1;
+            }
+            Step::Search(Event::Aligned(_)) => {}
+            _ => break,
+        }
+    }
+    (misses, length)
 }

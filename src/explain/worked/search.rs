@@ -24,6 +24,9 @@ impl Solution<'_> {
             Event::Mailbox { object } => self.mailbox(*object),
             Event::HitOutsideCell(hit) => self.hit_outside_cell(hit),
             Event::GridExit(exit) => self.grid_exit(exit),
+            Event::Align(frame) => self.align(frame),
+            Event::Aligned(point) => self.aligned(point),
+            Event::ZSort(sorted) => self.z_sort(sorted, course),
             _ => {}
         }
     }

@@ -3,6 +3,7 @@
 use crate::explain::number::Digits;
 use crate::explain::page::Tone;
 use crate::explain::worked::Solution;
+use crate::explain::worked::aligned::turned_slab;
 use crate::explain::worked::quadratic::fates;
 use crate::explain::worked::steps::Course;
 use crate::geometry::{Axis, BoxTest, Roots, SlabInterval};
@@ -16,15 +17,27 @@ impl Solution<'_> {
         };
         let solid = *solid;
         let d = Digits::USUAL;
-        let what = format!(
-            "box from {} to {}",
-            d.vector(solid.min),
-            d.vector(solid.max)
-        );
+        let what = match course.aligned {
+            Some(_) => format!(
+                "box around {}, half sides {}",
+                d.vector(course.place(0.5 * (solid.min + solid.max))),
+                d.vector(0.5 * (solid.max - solid.min))
+            ),
+            None => format!(
+                "box from {} to {}",
+                d.vector(solid.min),
+                d.vector(solid.max)
+            ),
+        };
+        let turned = course.aligned.map(|aligned| solid.aligned_slabs(&aligned));
         self.object_line(object, &what);
         self.page.indent();
         let axes = [("x", Axis::X), ("y", Axis::Y), ("z", Axis::Z)];
-        for ((name, axis), interval) in axes.into_iter().zip(test.slabs) {
+        for (i, ((name, axis), interval)) in axes.into_iter().zip(test.slabs).enumerate() {
+            if let Some(slabs) = &turned {
+                self.page.plain(turned_slab(name, &slabs[i], interval));
+                continue;
+            }
             let (low, high) = (axis.of(solid.min), axis.of(solid.max));
             let slab = format!("{} ≤ {name} ≤ {}", d.number(low), d.number(high));
             let line = match (interval, course.start) {

@@ -1,6 +1,11 @@
 //! The events of one ray, put together into the steps that a solution tells one by one.
 
-use crate::geometry::{BoxTest, EdgeTest, PlaneTest, PolygonTest, QuadraticTest, Refraction};
+use glam::DVec3;
+
+use crate::explain::worked::aligned::shown;
+use crate::geometry::{
+    AlignedRay, BoxTest, EdgeTest, PlaneTest, PolygonTest, QuadraticTest, Ray, Refraction,
+};
 use crate::scene::PrimitiveId;
 use crate::trace::{Event, Item, LightTerm, Nearest, RayEnd, RayStart, Record, Shade};
 
@@ -10,6 +15,8 @@ pub(super) struct Course {
     pub(super) place: usize,
     /// Its start; a ray of a filtered log may have none.
     pub(super) start: Option<RayStart>,
+    /// The frame in which its tests are worked out, if that is not the world.
+    pub(super) aligned: Option<AlignedRay>,
     /// t of the nearest hit so far.
     pub(super) nearest: Option<f64>,
     /// Which object that is.
@@ -24,6 +31,22 @@ pub(super) struct Course {
     pub(super) slabs_in_full: bool,
     /// The step of the search that was told last.
     pub(super) last: Option<Event>,
+}
+
+impl Course {
+    /// The ray as its tests see it: along z, if it was aligned.
+    pub(super) fn ray(&self) -> Option<Ray> {
+        let world = || self.start.map(|start| start.ray);
+        self.aligned
+            .map(|aligned| aligned.in_frame())
+            .or_else(world)
+    }
+
+    /// A point of an object as its test sees it.
+    pub(super) fn place(&self, point: DVec3) -> DVec3 {
+        self.aligned
+            .map_or(point, |aligned| shown(aligned.frame.point(point)))
+    }
 }
 
 /// One step of a ray's working.
