@@ -67,12 +67,13 @@ pub use scene::{
 };
 pub use strategy::{
     AnyHit, BoundedObjects, Chosen, DepthFirst, Exhaustive, HeapOrdered, Hit, NearestSoFar, Search,
-    Strategy, ZAligned, test_primitive,
+    Strategy, UniformGrid, ZAligned, test_primitive,
 };
 pub use structure::{
-    Across, AssignStep, Build, CellStep, GridOptions, Hierarchy, Inside, Link, Lists, MOST_SLABS,
-    MergeStep, Node, RaySlabs, Share, SlabBound, SlabChoice, SlabOutcome, SlabSet, SlabSetError,
-    SlabStep, StructureError, StructureOptions, Volume, VolumeKind, VolumeRay, extent,
+    Across, AssignStep, Build, CellStep, Grid, GridError, GridOptions, GridWalk, Hierarchy, Inside,
+    Link, Lists, MOST_CELLS, MOST_SLABS, MergeStep, Node, RaySlabs, Share, SlabBound, SlabChoice,
+    SlabOutcome, SlabSet, SlabSetError, SlabStep, StructureError, StructureOptions, Volume,
+    VolumeKind, VolumeRay, extent,
 };
 pub use trace::{
     Aligned, AlignedPart, BoundOutcome, BoundTest, Bounded, Budget, CellVisit, Counts, Event,

@@ -66,6 +66,7 @@ impl<'a, const N: usize> BoundedObjects<'a, N> {
                     Event::SlabTest(SlabTest { of, step })
                 });
             }
+            R::ENABLED
         });
         let inside = inside.and_then(|inside| inside.ends());
         let outcome = BoundOutcome::of(inside, search.range());

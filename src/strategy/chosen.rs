@@ -3,7 +3,7 @@
 use crate::geometry::Ray;
 use crate::scene::Scene;
 use crate::strategy::{
-    BoundedObjects, DepthFirst, Exhaustive, HeapOrdered, Search, Strategy, ZAligned,
+    BoundedObjects, DepthFirst, Exhaustive, HeapOrdered, Search, Strategy, UniformGrid, ZAligned,
 };
 use crate::structure::{
     MOST_SLABS, SlabChoice, SlabSet, StructureError, StructureOptions, VolumeKind,
@@ -35,6 +35,8 @@ pub enum Chosen<'a> {
     HeapOwn(Box<HeapOrdered<'a, MOST_SLABS>>),
     /// Every object, in the frame of the ray.
     ZAligned(ZAligned<'a>),
+    /// A uniform grid.
+    Grid(UniformGrid<'a>),
 }
 
 impl<'a> Chosen<'a> {
@@ -90,7 +92,9 @@ impl<'a> Chosen<'a> {
                 Self::HeapOwn(Box::new(HeapOrdered::new(scene, &own()?, build)))
             }
             (StrategyName::ZAligned, _) => Self::ZAligned(ZAligned::new(scene)),
-            _ => Self::Exhaustive(Exhaustive::new(scene)),
+            (StrategyName::Grid, _) => {
+                Self::Grid(UniformGrid::new(scene, &options.grid).map_err(StructureError::Grid)?)
+            }
         })
     }
 }
@@ -110,6 +114,7 @@ macro_rules! whichever {
             Chosen::Heap7($strategy) => $work,
             Chosen::HeapOwn($strategy) => $work,
             Chosen::ZAligned($strategy) => $work,
+            Chosen::Grid($strategy) => $work,
         }
     };
 }

@@ -223,6 +223,7 @@ impl<'a, const N: usize> Nodes<'a, N> {
                     Event::SlabTest(SlabTest { of, step })
                 });
             }
+            R::ENABLED
         });
         let range = search.range();
         let waiting = Waiting {

@@ -3,7 +3,9 @@
 mod bounds;
 mod chosen;
 mod exhaustive;
+mod grid;
 mod hierarchy;
+mod mailbox;
 mod nearest;
 mod object_test;
 mod waiting;
@@ -12,6 +14,7 @@ mod z_aligned;
 pub use bounds::BoundedObjects;
 pub use chosen::Chosen;
 pub use exhaustive::Exhaustive;
+pub use grid::UniformGrid;
 pub use hierarchy::{DepthFirst, HeapOrdered};
 pub use nearest::{AnyHit, Hit, NearestSoFar, Search};
 pub use object_test::test_primitive;

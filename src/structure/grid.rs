@@ -1,9 +1,24 @@
-//! The uniform grid: which objects lie in which cell.
+//! The uniform grid: which objects lie in which cell (slides, "Spatial Partitioning", Figs 15.61 and 15.62).
+//!
+//! The scene's box is cut into equal cells, and each cell lists the objects that reach into it. A ray is then
+//! tested against the objects of those cells alone that it passes through ([`Grid::walk`]).
+//!
+//! **Room for rounding.** A computed hit may lie off its object's exact surface, and the ray that has it pass the
+//! object by. So an object is listed with a little room around it ([`Grid::new`]): in every cell that the
+//! object so widened touches. The box is wider still, so that no object touches its outer planes.
 
+use glam::DVec3;
+use rayon::prelude::*;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::scene::PrimitiveId;
+use crate::geometry::{Ray, TRange};
+use crate::scene::{Primitive, PrimitiveId, Scene, Shape};
+use crate::structure::cell_lists::CellLists;
+use crate::structure::cell_overlap::CellOverlap;
+use crate::structure::cell_planes::CellPlanes;
+use crate::structure::grid_resolution::resolution;
+use crate::structure::{GridError, GridWalk, extent};
 
 /// By what an object is put into a cell's list.
 #[derive(
@@ -63,4 +78,192 @@ pub struct AssignStep {
     pub cell: [u32; 3],
     /// Wholly or in part.
     pub share: Share,
+}
+
+/// A grid over a scene: the cells, and what lies in each.
+#[derive(Clone, Debug)]
+pub struct Grid {
+    cells: CellPlanes,
+    lists: CellLists,
+    by: Lists,
+    room: f64,
+}
+
+/// The least and the largest coordinate of a widened object along each axis.
+pub(super) type Bounds = [[f64; 2]; 3];
+
+impl Grid {
+    /// Builds the grid over a scene. A scene without objects has one without cells.
+    ///
+    /// # Errors
+    /// A density that is not above 0, a resolution of 0, or a grid that would take too much memory.
+    pub fn new(scene: &Scene, options: &GridOptions) -> Result<Self, GridError> {
+        let room = room(scene);
+        let of = |primitive: &Primitive| bounds_of(&primitive.shape, room);
+        let bounds: Vec<Bounds> = scene.primitives.par_iter().map(of).collect();
+        let around = around(&bounds, room);
+        let objects = bounds.len();
+        let cells = match around {
+            None => {
+                // what makes no sense is refused in any scene
+                resolution(DVec3::ZERO, DVec3::ONE, 1, options)?;
+                CellPlanes::default()
+            }
+            Some([min, max]) => CellPlanes::new(min, max, resolution(min, max, objects, options)?),
+        };
+        let mut overlap = CellOverlap::new(&cells, options.lists, room);
+        let lists = CellLists::filled(cells.count(), objects, |object, put| {
+            overlap.cells_of(&scene.primitives[object].shape, bounds[object], put);
+        })
+        .ok_or(GridError::TooManyEntries {
+            resolution: cells.resolution(),
+        })?;
+        Ok(Self {
+            cells,
+            lists,
+            by: options.lists,
+            room,
+        })
+    }
+
+    /// The cells that a ray pierces in its range, in order.
+    #[inline]
+    pub fn walk(&self, ray: &Ray, range: TRange) -> GridWalk<'_> {
+        GridWalk::new(&self.cells, ray, range)
+    }
+
+    /// Where the ray is inside the grid's box: from the largest near to the smallest far.
+    ///
+    /// `None` if it passes by, or has no direction.
+    pub fn inside(&self, ray: &Ray) -> Option<[f64; 2]> {
+        let (mut near, mut far) = (f64::NEG_INFINITY, f64::INFINITY);
+        for axis in 0..3 {
+            let [first, .., last] = *self.planes(axis) else {
+                return None;
+            };
+            let (origin, direction) = (ray.origin[axis], ray.direction[axis]);
+            if direction == 0.0 {
+                if origin < first || last < origin {
+                    return None;
+                }
+                continue;
+            }
+            let [a, b] = [first, last].map(|plane| (plane - origin) / direction);
+            near = near.max(a.min(b));
+            far = far.min(a.max(b));
+        }
+        (near <= far && near.is_finite() && far.is_finite()).then_some([near, far])
+    }
+
+    /// Cells along x, y and z; zeros in a scene without objects.
+    #[inline]
+    pub fn resolution(&self) -> [u32; 3] {
+        self.cells.resolution()
+    }
+
+    /// The planes across x (0), y (1) or z (2), rising: one more than cells along that axis.
+    ///
+    /// These values are the grid: every decision about a cell is made by them.
+    pub fn planes(&self, axis: usize) -> &[f64] {
+        self.cells.axis(axis)
+    }
+
+    /// The smallest coordinates of the box; 0 in a scene without objects.
+    pub fn min(&self) -> DVec3 {
+        let first = |axis| self.planes(axis).first().copied().unwrap_or(0.0);
+        DVec3::new(first(0), first(1), first(2))
+    }
+
+    /// The largest coordinates of the box; 0 in a scene without objects.
+    pub fn max(&self) -> DVec3 {
+        let last = |axis| self.planes(axis).last().copied().unwrap_or(0.0);
+        DVec3::new(last(0), last(1), last(2))
+    }
+
+    /// The objects listed in cell (i, j, k), the first in the scene first.
+    ///
+    /// None beyond the grid.
+    pub fn cell_objects(&self, cell: [u32; 3]) -> &[PrimitiveId] {
+        let inside = cell.iter().zip(self.resolution()).all(|(&at, n)| at < n);
+        if !inside {
+            return &[];
+        }
+        self.listed(self.cells.number(cell))
+    }
+
+    /// The objects listed in the cell with a number.
+    #[inline]
+    pub(crate) fn listed(&self, number: usize) -> &[PrimitiveId] {
+        self.lists.of(number)
+    }
+
+    /// How many entries all lists have together.
+    pub fn lists_total(&self) -> usize {
+        self.lists.total()
+    }
+
+    /// How the lists came about: object by object, in the order of the scene, each with its cells in the order
+    /// of their numbers, x first (Fig. 15.61). The scene is the one that the grid was built over.
+    pub fn assignments<'a>(&'a self, scene: &'a Scene) -> impl Iterator<Item = AssignStep> + 'a {
+        let mut overlap = CellOverlap::new(&self.cells, self.by, self.room);
+        let primitives = (0..).map(PrimitiveId).zip(&scene.primitives);
+        primitives.flat_map(move |(object, primitive)| {
+            let shape = &primitive.shape;
+            let bounds = bounds_of(shape, self.room);
+            let mut numbers = Vec::new();
+            overlap.cells_of(shape, bounds, &mut |number| numbers.push(number));
+            numbers.sort_unstable();
+            let share = if overlap.is_in_one_cell(bounds) {
+                Share::Whole
+            } else {
+                Share::Part
+            };
+            numbers.into_iter().map(move |number| AssignStep {
+                object,
+                cell: self.cells.cell(number),
+                share,
+            })
+        })
+    }
+
+    /// How much memory the planes and the lists take, in bytes.
+    pub fn bytes(&self) -> usize {
+        size_of_val(self.cells.all()) + self.lists.bytes()
+    }
+}
+
+/// How far a shape reaches along each axis, widened.
+fn bounds_of(shape: &Shape, room: f64) -> Bounds {
+    DVec3::AXES.map(|axis| {
+        let [low, high] = extent(shape, axis);
+        [low - room, high + room]
+    })
+}
+
+/// What every object is widened by, besides [`extent`]'s share of its own size: a share of the largest coordinate
+/// of the scene and of the camera.
+///
+/// A ray starts at the camera or in the scene, and the rounding of what it meets grows with the coordinates
+/// of its origin: some 10⁻¹⁵ of them, a hundredfold where it meets a surface flatly.
+fn room(scene: &Scene) -> f64 {
+    const SHARE: f64 = 1e-11;
+    let reaches = scene.primitives.iter().map(|of| of.shape.reach());
+    let reach = reaches.fold(scene.camera.cop.abs().max_element(), f64::max);
+    SHARE * reach
+}
+
+/// The box around all objects, a hair wider: no object touches its planes.
+fn around(bounds: &[Bounds], room: f64) -> Option<[DVec3; 2]> {
+    /// Of the box's size; with ten times the room of an object.
+    const HAIR: f64 = 1e-9;
+    if bounds.is_empty() {
+        return None;
+    }
+    let (mut min, mut max) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
+    for bounds in bounds {
+        min = min.min(DVec3::from_array(bounds.map(|[low, _]| low)));
+        max = max.max(DVec3::from_array(bounds.map(|[_, high]| high)));
+    }
+    let wider = HAIR * (max - min).max_element() + 10.0 * room;
+    Some([min - wider, max + wider])
 }

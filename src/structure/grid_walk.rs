@@ -1,38 +1,428 @@
-//! The walk of a ray through the cells of a grid.
+//! The walk of a ray through the cells of a grid (slides, "Spatial Partitioning", Fig. 15.61).
+//!
+//! The slides take the next partition from "a 3D version of the line-drawing algorithm". A line-drawing
+//! algorithm draws one cell in each column and leaves out others that the line passes through; this walk
+//! visits every cell that the ray pierces (erratum 7), in order and each once, after A. Fujimoto, T. Tanaka
+//! and K. Iwata (1986, 3DDDA) and J. Amanatides and A. Woo (1987).
+//!
+//! **Which cells are pierced.** Those in which the ray, within its range, is for more than a single t, where
+//! a cell owns its lower faces: along each axis it is [pᵢ, pᵢ₊₁), and the last one [pₙ₋₁, pₙ]. So a ray that
+//! runs in the face between two cells belongs to the upper one alone; and through an edge or a corner the walk
+//! steps along two or three axes at once, without the cells that the ray only touches there. Nothing is lost
+//! by that: objects are listed with a little room around them, so one that is met on an edge is
+//! on the list of every cell around it.
+//!
+//! **Exactly.** t = (pᵢ − o)/Δ is computed from each plane itself, not added up from cell to cell, and which
+//! plane comes first is decided without rounding: by f64 where the difference is beyond their error, else by
+//! the sign of (p − o)·Δ′ − (p′ − o′)·Δ. A zero of either sign is no direction. The ray's coordinates may have
+//! any size that leaves their differences within f64.
 
-/// One cell that a ray pierces.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct CellStep {
-    /// i, j and k.
-    pub cell: [u32; 3],
-    /// Where the ray enters the cell, or where its range begins inside it.
-    pub t_in: f64,
-    /// Where the ray leaves the cell.
-    pub t_out: f64,
-    /// Where the ray meets the next plane across x, y and z; infinite if it never does.
-    pub next: [f64; 3],
-    /// Across which of the planes it leaves the cell; two or three at once through an edge or a corner.
-    pub across: Across,
+use crate::geometry::{Ray, TRange};
+use crate::structure::cell_planes::CellPlanes;
+use crate::structure::grid_start::start;
+use crate::structure::ray_order::{Meeting, clearly_before};
+use crate::structure::{Across, CellStep};
+
+/// A walk through a grid; an iterator over the cells that the ray pierces.
+#[derive(Clone, Debug)]
+pub struct GridWalk<'g> {
+    /// All planes of the grid.
+    planes: &'g [f64],
+    axes: [AxisWalk; 3],
+    /// The number of the cell that comes next.
+    number: usize,
+    /// Where the ray enters it.
+    t_in: f64,
+    /// Where the range ends.
+    max: f64,
+    done: bool,
 }
 
-/// The axes along which a walk steps at once.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Across {
-    /// Along none: the ray never leaves.
-    #[default]
-    None,
-    /// Along x.
-    X,
-    /// Along y.
-    Y,
-    /// Along z.
-    Z,
-    /// Through an edge along z.
-    XY,
-    /// Through an edge along y.
-    XZ,
-    /// Through an edge along x.
-    YZ,
-    /// Through a corner.
-    XYZ,
+/// A walk along one axis.
+#[derive(Clone, Copy, Debug, Default)]
+struct AxisWalk {
+    /// t of the next plane; infinite if the ray does not move along this axis, no number if 1/Δ is none.
+    next: f64,
+    origin: f64,
+    direction: f64,
+    /// 1/Δ.
+    inverse: f64,
+    /// The place of the next plane among all planes.
+    plane: usize,
+    /// The place of the axis's lowest plane.
+    lowest: usize,
+    /// The place of the outer plane through which the ray leaves the grid.
+    last: usize,
+    /// To the next plane: 1, or −1 as a wrapping number.
+    to_plane: usize,
+    /// To the next cell's number, likewise.
+    to_cell: usize,
+}
+
+impl<'g> GridWalk<'g> {
+    /// From the first cell that the ray pierces in its range.
+    #[inline]
+    pub(super) fn new(cells: &'g CellPlanes, ray: &Ray, range: TRange) -> Self {
+        let mut walk = Self {
+            planes: cells.all(),
+            axes: [AxisWalk::default(); 3],
+            number: 0,
+            t_in: 0.0,
+            max: range.max,
+            done: true,
+        };
+        let Some(first) = start(cells, ray, range) else {
+            return walk;
+        };
+        walk.done = false;
+        walk.t_in = first.t;
+        walk.number = cells.number(first.cell);
+        let strides = cells.strides();
+        for (axis, of) in walk.axes.iter_mut().enumerate() {
+            let lowest = cells.first(axis);
+            let highest = lowest + cells.resolution()[axis] as usize;
+            let below = lowest + first.cell[axis] as usize;
+            let (origin, direction) = (ray.origin[axis], ray.direction[axis]);
+            let downwards = direction < 0.0;
+            let one_way = |by: usize| if downwards { by.wrapping_neg() } else { by };
+            *of = AxisWalk {
+                next: f64::INFINITY,
+                origin,
+                direction,
+                inverse: 1.0 / direction,
+                plane: if downwards { below } else { below + 1 },
+                lowest,
+                last: if downwards { lowest } else { highest },
+                to_plane: one_way(1),
+                to_cell: one_way(strides[axis]),
+            };
+            if direction == 0.0 {
+                continue;
+            }
+            if !of.inverse.is_normal() {
+                // its t is never certain, and taken exactly at every step
+                of.inverse = f64::NAN;
+            }
+            of.next = of.meets_next(walk.planes, first.t);
+        }
+        walk
+    }
+
+    /// The cell that comes next.
+    #[inline]
+    pub(crate) fn cell(&self) -> Option<[u32; 3]> {
+        (!self.done).then(|| self.place())
+    }
+
+    /// The next cell's number, and the step through it.
+    #[inline]
+    pub(crate) fn step(&mut self) -> Option<(usize, CellStep)> {
+        if self.done {
+            return None;
+        }
+        let number = self.number;
+        let next = [self.axes[0].next, self.axes[1].next, self.axes[2].next];
+        // the choice is kept free of branches: which axis comes next cannot be foretold
+        let of_two = usize::from(next[1] < next[0]);
+        let axis = if next[2] < self.axes[of_two].next {
+            2
+        } else {
+            of_two
+        };
+        let t = self.axes[axis].next;
+        let later = next.map(|other| u8::from(clearly_before(t, other)));
+        let mut step = CellStep {
+            cell: self.place(),
+            t_in: self.t_in,
+            t_out: t,
+            next,
+            across: Across::BY_BITS[1 << axis],
+        };
+        if later[0] + later[1] + later[2] == 2 && clearly_before(t, self.max) {
+            self.cross(axis, t);
+        } else {
+            self.step_exactly(&mut step);
+        }
+        self.t_in = step.t_out;
+        Some((number, step))
+    }
+
+    /// Crosses the next plane of an axis at t.
+    #[inline]
+    fn cross(&mut self, axis: usize, t: f64) {
+        let of = &mut self.axes[axis];
+        if of.plane == of.last {
+            self.done = true;
+            return;
+        }
+        of.plane = of.plane.wrapping_add(of.to_plane);
+        self.number = self.number.wrapping_add(of.to_cell);
+        of.next = of.meets_next(self.planes, t);
+    }
+
+    /// The step where two planes are about equally near, or where the range ends about here.
+    #[cold]
+    fn step_exactly(&mut self, step: &mut CellStep) {
+        let meetings = self.axes.map(|of| Meeting {
+            plane: self.planes[of.plane],
+            origin: of.origin,
+            direction: of.direction,
+        });
+        let moving = [0, 1, 2].map(|axis: usize| meetings[axis].direction != 0.0);
+        let is_first = |axis: &usize| {
+            let before = |other: usize| moving[other] && meetings[other].before(&meetings[*axis]);
+            moving[*axis] && !(0..3).any(before)
+        };
+        let crossed: u8 = (0..3).filter(is_first).map(|axis| 1 << axis).sum();
+        let is_crossed = |axis: usize| crossed & (1 << axis) != 0;
+
+        for (next, meeting) in step.next.iter_mut().zip(&meetings) {
+            if next.is_nan() {
+                *next = meeting.t().max(step.t_in);
+            }
+        }
+        step.across = Across::BY_BITS[usize::from(crossed)];
+        step.t_out = (0..3)
+            .filter(|&axis| is_crossed(axis))
+            .map(|axis| step.next[axis])
+            .fold(f64::INFINITY, f64::min);
+        let leaves = (0..3).find(|&axis| is_crossed(axis));
+        let goes_on = leaves.is_some_and(|axis| {
+            self.max == f64::INFINITY || meetings[axis].before(&Meeting::at(self.max))
+        });
+        if !goes_on {
+            self.done = true;
+            return;
+        }
+        for axis in 0..3 {
+            if is_crossed(axis) {
+                self.cross(axis, step.t_out);
+            } else {
+                let of = &mut self.axes[axis];
+                of.next = not_before(step.t_out, of.next);
+            }
+        }
+    }
+
+    /// i, j and k of the cell that comes next.
+    #[inline]
+    fn place(&self) -> [u32; 3] {
+        self.axes.map(|of| of.place() as u32)
+    }
+}
+
+impl Iterator for GridWalk<'_> {
+    type Item = CellStep;
+
+    #[inline]
+    fn next(&mut self) -> Option<CellStep> {
+        self.step().map(|(_, step)| step)
+    }
+}
+
+impl AxisWalk {
+    /// Which cell along the axis the next plane leads out of.
+    #[inline]
+    fn place(&self) -> usize {
+        let planes_below = self.plane - self.lowest;
+        if self.to_plane == 1 {
+            planes_below - 1
+        } else {
+            planes_below
+        }
+    }
+
+    /// t of the next plane, from the plane itself; not below the t that the walk has come to.
+    #[inline]
+    fn meets_next(&self, planes: &[f64], t: f64) -> f64 {
+        not_before(t, (planes[self.plane] - self.origin) * self.inverse)
+    }
+}
+
+/// Holds t to the order of the planes, where rounding has turned it round; what is no number stays none.
+#[inline]
+fn not_before(t: f64, next: f64) -> f64 {
+    if next < t { t } else { next }
+}
+
+#[cfg(test)]
+mod tests {
+    use glam::DVec3;
+
+    use super::*;
+
+    /// 4 × 4 × 4 cells with sides of 1.
+    fn unit_cells() -> CellPlanes {
+        CellPlanes::new(DVec3::ZERO, DVec3::splat(4.0), [4; 3])
+    }
+
+    fn walk_in(origin: [f64; 3], direction: [f64; 3], range: TRange) -> Vec<CellStep> {
+        let ray = Ray::new(origin.into(), direction.into());
+        GridWalk::new(&unit_cells(), &ray, range).collect()
+    }
+
+    #[track_caller]
+    fn check(origin: [f64; 3], direction: [f64; 3], cells: &[[u32; 3]]) {
+        let found = walk_in(origin, direction, TRange::FORWARD);
+        let found: Vec<_> = found.iter().map(|step| step.cell).collect();
+        assert_eq!(found, cells);
+    }
+
+    /// The cells of a row along x.
+    fn row(j: u32, k: u32) -> [[u32; 3]; 4] {
+        [0, 1, 2, 3].map(|i| [i, j, k])
+    }
+
+    #[test]
+    fn a_slanted_ray_visits_every_cell_that_it_pierces() {
+        let range = TRange::FORWARD;
+        let steps = walk_in([-1.0, 0.25, 0.5], [2.0, 1.0, 0.0], range);
+        // y = ¼ + ½(x + 1): 0.75 at x = 0; 1 at x = ½, 2 at x = 2½
+        let cells = [
+            [0, 0, 0],
+            [0, 1, 0],
+            [1, 1, 0],
+            [2, 1, 0],
+            [2, 2, 0],
+            [3, 2, 0],
+        ];
+        let found: Vec<_> = steps.iter().map(|step| step.cell).collect();
+        assert_eq!(found, cells);
+        // t = (x + 1)/2
+        let first = CellStep {
+            cell: [0, 0, 0],
+            t_in: 0.5,
+            t_out: 0.75,
+            next: [1.0, 0.75, f64::INFINITY],
+            across: Across::Y,
+        };
+        assert_eq!(steps[0], first);
+        assert_eq!((steps[5].t_out, steps[5].across), (2.5, Across::X));
+    }
+
+    #[test]
+    fn a_line_drawing_algorithm_would_leave_out_every_second_of_these_cells() {
+        // y = ½ + 0.9·x: one cell in each column would be (0,0), (1,1), (2,2), (3,3)
+        let cells = [
+            [0, 0, 0],
+            [0, 1, 0],
+            [1, 1, 0],
+            [1, 2, 0],
+            [2, 2, 0],
+            [2, 3, 0],
+            [3, 3, 0],
+        ];
+        check([0.0, 0.5, 0.5], [1.0, 0.9, 0.0], &cells);
+    }
+
+    #[test]
+    fn through_a_corner_the_walk_steps_along_all_axes_at_once() {
+        let diagonal = [[0, 0, 0], [1, 1, 1], [2, 2, 2], [3, 3, 3]];
+        check([-1.0; 3], [1.0; 3], &diagonal);
+        let steps = walk_in([-1.0; 3], [1.0; 3], TRange::FORWARD);
+        assert!(steps.iter().all(|step| step.across == Across::XYZ));
+        // through edges along z
+        check(
+            [0.0, 0.0, 0.5],
+            [1.0, 1.0, 0.0],
+            &[[0, 0, 0], [1, 1, 0], [2, 2, 0], [3, 3, 0]],
+        );
+    }
+
+    #[test]
+    fn a_corner_is_met_in_steps_where_f64_makes_one_or_the_other_first() {
+        // thirds and sevenths: (3·n − 0)/3 = (7·n − 0)/7 in every n, whatever 1/3 and 1/7 are rounded to
+        let cells = CellPlanes::new(DVec3::ZERO, DVec3::new(30.0, 70.0, 1.0), [10, 10, 1]);
+        let ray = Ray::new(DVec3::new(0.0, 0.0, 0.5), DVec3::new(3.0, 7.0, 0.0));
+        let steps: Vec<_> = GridWalk::new(&cells, &ray, TRange::FORWARD).collect();
+        let diagonal: Vec<_> = (0..10).map(|n| [n, n, 0]).collect();
+        let found: Vec<_> = steps.iter().map(|step| step.cell).collect();
+        assert_eq!(found, diagonal);
+    }
+
+    #[test]
+    fn a_ray_in_a_face_belongs_to_the_cells_above_it_and_in_the_last_plane_to_the_last() {
+        for zero in [0.0, -0.0] {
+            check([-1.0, 2.0, 0.5], [1.0, zero, zero], &row(2, 0));
+            check([-1.0, 0.0, 0.5], [1.0, zero, zero], &row(0, 0));
+            check([-1.0, 4.0, 0.5], [1.0, zero, zero], &row(3, 0));
+            // along edges
+            check([-1.0, 2.0, 1.0], [1.0, zero, zero], &row(2, 1));
+            check([-1.0, 4.0, 4.0], [1.0, zero, zero], &row(3, 3));
+        }
+        let mut backwards = row(2, 0);
+        backwards.reverse();
+        check([9.0, 2.0, 0.5], [-1.0, 0.0, 0.0], &backwards);
+    }
+
+    #[test]
+    fn from_a_plane_the_direction_says_which_cell_is_first() {
+        check([1.0, 0.5, 0.5], [1.0, 0.0, 0.0], &row(0, 0)[1..]);
+        check([1.0, 0.5, 0.5], [-1.0, 0.0, 0.0], &row(0, 0)[..1]);
+        // from a corner, down in x and y and up in z
+        check([1.0, 1.0, 3.0], [-1.0, -1.0, 1.0], &[[0, 0, 3]]);
+        // from an edge, in x only: the edge belongs to the cell above
+        check([3.0, 2.0, 2.0], [1.0, 0.0, 0.0], &[[3, 2, 2]]);
+    }
+
+    #[test]
+    fn a_ray_that_only_touches_the_grid_in_a_point_pierces_nothing() {
+        // leaving it from a face, and from a corner
+        check([4.0, 0.5, 0.5], [1.0, 0.0, 0.0], &[]);
+        check([0.0, 0.0, 0.0], [-1.0, 1.0, 1.0], &[]);
+        // across an edge, and across a corner
+        check([-1.0, 1.0, 0.5], [1.0, -1.0, 0.0], &[]);
+        check([-1.0, 1.0, 1.0], [1.0, -1.0, -1.0], &[]);
+    }
+
+    #[test]
+    fn a_ray_beside_the_grid_or_behind_it_pierces_nothing() {
+        check([-1.0, 4.5, 0.5], [1.0, 0.0, 0.0], &[]);
+        check([-1.0, -0.5, 0.5], [1.0, -0.0, 0.0], &[]);
+        check([5.0, 0.5, 0.5], [1.0, 0.0, 0.0], &[]);
+        check([-1.0, 0.5, 0.5], [0.0, 1.0, 0.0], &[]);
+    }
+
+    #[test]
+    fn a_ray_without_direction_stays_in_its_cell() {
+        let steps = walk_in([1.5, 2.0, 4.0], [0.0, -0.0, 0.0], TRange::FORWARD);
+        let only = CellStep {
+            cell: [1, 2, 3],
+            t_in: 0.0,
+            t_out: f64::INFINITY,
+            next: [f64::INFINITY; 3],
+            across: Across::None,
+        };
+        assert_eq!(steps, [only]);
+    }
+
+    #[test]
+    fn a_range_cuts_the_walk_at_both_ends_and_a_single_point_does_not_count() {
+        let cut = |min, max| {
+            let range = TRange { min, max };
+            let steps = walk_in([0.0, 0.5, 0.5], [1.0, 0.0, 0.0], range);
+            steps.iter().map(|step| step.cell[0]).collect::<Vec<_>>()
+        };
+        assert_eq!(cut(0.0, 2.5), [0, 1, 2]);
+        assert_eq!(cut(0.0, 2.0), [0, 1]);
+        assert_eq!(cut(1.0, 2.0), [1]);
+        assert_eq!(cut(1.5, 1.75), [1]);
+        assert_eq!(cut(3.5, 9.0), [3]);
+        assert_eq!(cut(4.0, 9.0), [0; 0]);
+        assert_eq!(cut(2.0, 2.0), [0; 0]);
+        // the range begins inside the cell
+        let range = TRange { min: 1.5, max: 9.0 };
+        let steps = walk_in([0.0, 0.5, 0.5], [1.0, 0.0, 0.0], range);
+        assert_eq!((steps[0].t_in, steps[0].t_out), (1.5, 2.0));
+    }
+
+    #[test]
+    fn tiny_and_huge_directions_visit_the_same_cells() {
+        let diagonal = [[0, 0, 0], [1, 1, 0], [2, 2, 0], [3, 3, 0]];
+        for size in [5e-324, 1e-310, 1e-200, 1e200, 1e308] {
+            check([0.0, 0.0, 0.5], [size, size, 0.0], &diagonal);
+        }
+        // at z = 0.5 + 10⁻³¹⁰·x nothing changes
+        check([0.0, 0.5, 0.5], [1.0, 1e-310, 0.0], &row(0, 0));
+    }
 }

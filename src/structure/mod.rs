@@ -4,22 +4,33 @@
 //! questions and notes the steps.
 
 mod build;
+mod cell_lists;
+mod cell_overlap;
+mod cell_planes;
+mod cell_step;
+mod cone_overlap;
 mod extent;
 mod grid;
+mod grid_error;
+mod grid_resolution;
+mod grid_start;
 mod grid_walk;
 mod hierarchy;
 mod least_ellipsoid;
 mod object_bounds;
 mod options;
 mod principal_axes;
+mod ray_order;
 mod slab_bound;
 mod slab_set;
 mod smallest_sphere;
 mod volume;
 
+pub use cell_step::{Across, CellStep};
 pub use extent::extent;
-pub use grid::{AssignStep, GridOptions, Lists, Share};
-pub use grid_walk::{Across, CellStep};
+pub use grid::{AssignStep, Grid, GridOptions, Lists, Share};
+pub use grid_error::{GridError, MOST_CELLS};
+pub use grid_walk::GridWalk;
 pub use hierarchy::{Build, Hierarchy, Link, MergeStep, Node};
 pub(crate) use hierarchy::{range, reach};
 pub use options::{StructureError, StructureOptions};

@@ -5,7 +5,7 @@ use std::fmt;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::structure::{Build, GridOptions, SlabChoice, SlabSetError, VolumeKind};
+use crate::structure::{Build, GridError, GridOptions, SlabChoice, SlabSetError, VolumeKind};
 
 /// What can be chosen about the structure of a strategy; each strategy looks at its own part.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -28,6 +28,8 @@ pub enum StructureError {
     NoSlabs,
     /// Its directions are no set.
     Slabs(SlabSetError),
+    /// There is no such grid.
+    Grid(GridError),
 }
 
 impl fmt::Display for StructureError {
@@ -38,6 +40,7 @@ impl fmt::Display for StructureError {
                  seven",
             ),
             Self::Slabs(error) => error.fmt(f),
+            Self::Grid(error) => error.fmt(f),
         }
     }
 }

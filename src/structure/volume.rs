@@ -111,7 +111,11 @@ impl<const N: usize> Volume<N> {
     ///
     /// `tell` hears of each slab of [`Volume::Slabs`], with the largest near and the smallest far up to it.
     #[inline]
-    pub fn inside(&self, ray: &VolumeRay<N>, tell: impl FnMut(usize, f64, f64)) -> Option<Inside> {
+    pub fn inside(
+        &self,
+        ray: &VolumeRay<N>,
+        tell: impl FnMut(usize, f64, f64) -> bool,
+    ) -> Option<Inside> {
         let room = || ROOM * (ray.ray.origin.abs().element_sum() + ray.reach);
         match self {
             Self::Sphere(Sphere { center, radius }) => {
@@ -128,7 +132,7 @@ impl<const N: usize> Volume<N> {
             Self::Box(bound) => {
                 let lines = || RaySlabs::new(ray.ray, &SlabSet::AXES, ray.reach);
                 let lines = ray.across_axes.get_or_init(lines);
-                Some(bound.inside(lines, |_, _, _| {}))
+                Some(bound.inside(lines, |_, _, _| false))
             }
             Self::Slabs(bound) => {
                 let lines = || RaySlabs::new(ray.ray, ray.set, ray.reach);

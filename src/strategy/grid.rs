@@ -1,0 +1,158 @@
+//! The uniform grid: only the objects in the cells along the ray (slides, "Spatial Partitioning").
+//!
+//! "As soon as a partition is found in which there is an intersection, no more partitions need to be inspected"
+//! holds only if the intersection lies *inside* that partition (erratum 6, Fig. 15.62): an object on this cell's
+//! list may be hit in a later cell, with a nearer object in between. Such a hit is kept, and the walk goes
+//! on until it has passed it.
+
+use std::ops::ControlFlow;
+
+use crate::geometry::{Ray, TRange};
+use crate::scene::{PrimitiveId, Scene};
+use crate::strategy::mailbox::Mailboxes;
+use crate::strategy::{Search, Strategy, test_primitive};
+use crate::structure::{CellStep, Grid, GridError, GridOptions};
+use crate::trace::{CellVisit, Event, GridEnter, GridExit, HitOutsideCell, Recorder, WalkEnd};
+
+/// Tests the objects of the cells that a ray pierces, cell by cell.
+#[derive(Clone, Debug)]
+pub struct UniformGrid<'a> {
+    scene: &'a Scene,
+    grid: Grid,
+    mailboxes: bool,
+}
+
+/// Room for the error of an object's own t: a computed root is good to 10⁻¹⁰ of itself. What error it has
+/// beyond that, where t is small beside the coordinates, lies within the room around each object in the lists.
+const STRETCH: f64 = 1e-9;
+
+impl<'a> UniformGrid<'a> {
+    /// Builds the grid over a scene.
+    ///
+    /// # Errors
+    /// Options that make no sense, or a grid that would take too much memory.
+    pub fn new(scene: &'a Scene, options: &GridOptions) -> Result<Self, GridError> {
+        Ok(Self {
+            scene,
+            grid: Grid::new(scene, options)?,
+            mailboxes: options.mailboxes,
+        })
+    }
+
+    /// The grid that is walked.
+    pub fn grid(&self) -> &Grid {
+        &self.grid
+    }
+
+    /// Walks the cells; `is_first` says whether an object is to be tested.
+    #[inline]
+    fn walk<R: Recorder>(
+        &self,
+        ray: &Ray,
+        search: &mut impl Search,
+        recorder: &mut R,
+        mut is_first: impl FnMut(PrimitiveId) -> bool,
+    ) {
+        let range = search.range();
+        let mut walk = self.grid.walk(
+            ray,
+            TRange {
+                min: range.min * (1.0 - STRETCH),
+                max: range.max * (1.0 + STRETCH),
+            },
+        );
+        let first = walk.cell();
+        recorder.note(|| {
+            Event::GridEnter(GridEnter {
+                min: self.grid.min(),
+                max: self.grid.max(),
+                resolution: self.grid.resolution(),
+                inside: self.grid.inside(ray),
+                cell: first,
+            })
+        });
+        let mut end = first.map_or(WalkEnd::Outside, |_| WalkEnd::Left);
+        let mut cells = 0;
+        while let Some((number, step)) = walk.step() {
+            cells += 1;
+            let listed = self.grid.listed(number);
+            recorder.note(|| {
+                Event::Cell(CellVisit {
+                    step,
+                    listed: listed.len() as u32,
+                })
+            });
+            let tested = self.test_listed(listed, &step, ray, search, recorder, &mut is_first);
+            // equal t does not end it: of two such hits the object first in the scene wins
+            let nearest = search.range().max;
+            let is_passed = nearest < range.max && nearest * (1.0 + STRETCH) < step.t_out;
+            if tested.is_break() || is_passed {
+                end = WalkEnd::HitInCell;
+                break;
+            }
+        }
+        recorder.note(|| Event::GridExit(GridExit { end, cells }));
+    }
+
+    /// Tests the objects of a cell.
+    #[inline]
+    fn test_listed<R: Recorder>(
+        &self,
+        listed: &[PrimitiveId],
+        step: &CellStep,
+        ray: &Ray,
+        search: &mut impl Search,
+        recorder: &mut R,
+        is_first: &mut impl FnMut(PrimitiveId) -> bool,
+    ) -> ControlFlow<()> {
+        for &object in listed {
+            recorder.note(|| Event::Listed { object });
+            if !is_first(object) {
+                recorder.note(|| Event::Mailbox { object });
+                continue;
+            }
+            let primitive = self.scene.primitive(object);
+            let Some(t) = test_primitive(object, primitive, ray, search.range(), recorder) else {
+                continue;
+            };
+            let offered = search.offer(object, t, recorder);
+            if step.t_out < t {
+                recorder.note(|| {
+                    Event::HitOutsideCell(HitOutsideCell {
+                        object,
+                        t,
+                        t_out: step.t_out,
+                    })
+                });
+            }
+            offered?;
+        }
+        ControlFlow::Continue(())
+    }
+}
+
+impl Strategy for UniformGrid<'_> {
+    #[inline]
+    fn search<R: Recorder>(&self, ray: &Ray, search: &mut impl Search, recorder: &mut R) {
+        if self.mailboxes {
+            let mut mailboxes = Mailboxes::for_ray(self.scene.primitives.len());
+            self.walk(ray, search, recorder, |object| {
+                mailboxes.is_first(object.0 as usize)
+            });
+        } else {
+            self.walk(ray, search, recorder, |_| true);
+        }
+    }
+
+    fn note_building<R: Recorder>(&self, recorder: &mut R) {
+        if R::ENABLED {
+            for assignment in self.grid.assignments(self.scene) {
+                recorder.note(|| Event::Assign(assignment));
+            }
+        }
+    }
+
+    fn bytes(&self) -> usize {
+        self.grid.bytes()
+    }
+}

@@ -1,0 +1,81 @@
+//! Mailboxes: was an object tested against this ray before?
+//!
+//! An object in several cells is on the list of each. A ray that passes through them tests it in the first and
+//! leaves a stamp in the object's mailbox; the stamp says in the others that it is done (B. Arnaldi, T. Priol
+//! and K. Bouatouch 1987; J. Amanatides and A. Woo 1987).
+
+use std::cell::Cell;
+
+thread_local! {
+    /// The mailboxes of a thread, for rays of any scene: a new ray has a new number, and what is left from
+    /// others is not mistaken for it.
+    static OF_THREAD: Cell<Vec<u32>> = const { Cell::new(Vec::new()) };
+    /// The number of the thread's last ray.
+    static LAST_RAY: Cell<u32> = const { Cell::new(0) };
+}
+
+/// The mailboxes of all objects, for one ray.
+#[derive(Debug)]
+pub(super) struct Mailboxes {
+    /// By object, the number of the last ray that was tested against it.
+    stamps: Vec<u32>,
+    ray: u32,
+}
+
+impl Mailboxes {
+    /// Those of this thread, for a new ray and so many objects. Nothing is cleared for it.
+    #[inline]
+    pub(super) fn for_ray(objects: usize) -> Self {
+        let mut stamps = OF_THREAD.take();
+        let ray = LAST_RAY.get().wrapping_add(1);
+        if ray == 0 {
+            // the numbers begin anew: old stamps must go
+            stamps.clear();
+        }
+        let ray = ray.max(1);
+        LAST_RAY.set(ray);
+        if stamps.len() < objects {
+            stamps.resize(objects, 0);
+        }
+        Self { stamps, ray }
+    }
+
+    /// Is this the first time that the ray comes to this object?
+    #[inline]
+    pub(super) fn is_first(&mut self, object: usize) -> bool {
+        let stamp = &mut self.stamps[object];
+        let first = *stamp != self.ray;
+        *stamp = self.ray;
+        first
+    }
+}
+
+impl Drop for Mailboxes {
+    #[inline]
+    fn drop(&mut self) {
+        OF_THREAD.set(std::mem::take(&mut self.stamps));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_object_is_new_once_for_each_ray() {
+        for _ in 0..3 {
+            let mut mailboxes = Mailboxes::for_ray(4);
+            assert!(mailboxes.is_first(2));
+            assert!(!mailboxes.is_first(2));
+            assert!(mailboxes.is_first(3));
+        }
+    }
+
+    #[test]
+    fn after_the_last_number_no_old_stamp_is_taken_for_a_new_one() {
+        LAST_RAY.set(0);
+        assert!(Mailboxes::for_ray(1).is_first(0));
+        LAST_RAY.set(u32::MAX);
+        assert!(Mailboxes::for_ray(1).is_first(0));
+    }
+}

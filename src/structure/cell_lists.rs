@@ -1,0 +1,69 @@
+//! The lists of a grid's cells, all in one array.
+
+use crate::scene::PrimitiveId;
+use crate::structure::grid_error::MOST_ENTRIES;
+
+/// Which objects each cell lists: cell c those from `starts[c]` up to `starts[c + 1]`.
+#[derive(Clone, Debug, Default)]
+pub(super) struct CellLists {
+    starts: Vec<u32>,
+    objects: Vec<PrimitiveId>,
+}
+
+impl CellLists {
+    /// The lists of so many cells and objects, where `cells_of(object, put)` puts the object into its cells.
+    ///
+    /// Each object is asked twice: the entries are counted before there is room for them. `None` if there are
+    /// more than [`MOST_ENTRIES`]. The objects of a cell are in the order of the scene.
+    pub(super) fn filled(
+        cells: usize,
+        objects: usize,
+        mut cells_of: impl FnMut(usize, &mut dyn FnMut(usize)),
+    ) -> Option<Self> {
+        let mut starts = vec![0; cells + 1];
+        let mut total: u64 = 0;
+        for object in 0..objects {
+            cells_of(object, &mut |cell| {
+                starts[cell] += 1;
+                total += 1;
+            });
+            if u64::from(MOST_ENTRIES) < total {
+                return None;
+            }
+        }
+        // where each list ends …
+        let mut end = 0;
+        for start in &mut starts {
+            end += *start;
+            *start = end;
+        }
+        // … is where it starts, once it is filled from the last object to the first
+        let mut entries = vec![PrimitiveId(0); total as usize];
+        for object in (0..objects).rev() {
+            cells_of(object, &mut |cell| {
+                starts[cell] -= 1;
+                entries[starts[cell] as usize] = PrimitiveId(object as u32);
+            });
+        }
+        Some(Self {
+            starts,
+            objects: entries,
+        })
+    }
+
+    /// The objects that a cell lists.
+    #[inline]
+    pub(super) fn of(&self, cell: usize) -> &[PrimitiveId] {
+        &self.objects[self.starts[cell] as usize..self.starts[cell + 1] as usize]
+    }
+
+    /// How many entries there are.
+    pub(super) fn total(&self) -> usize {
+        self.objects.len()
+    }
+
+    /// Bytes of memory.
+    pub(super) fn bytes(&self) -> usize {
+        size_of_val(self.starts.as_slice()) + size_of_val(self.objects.as_slice())
+    }
+}

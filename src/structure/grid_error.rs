@@ -1,0 +1,78 @@
+//! Why a grid cannot be built.
+
+use std::fmt;
+
+/// The most cells of a grid: their lists' places take 256 MB.
+pub const MOST_CELLS: u32 = 64 << 20;
+
+/// The most entries of all lists together: they take 1 GB.
+pub(crate) const MOST_ENTRIES: u32 = 256 << 20;
+
+/// Why a grid cannot be built.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum GridError {
+    /// The density is not a number above 0.
+    Density {
+        /// What it is.
+        density: f64,
+    },
+    /// No cell along an axis.
+    NoCells {
+        /// Cells along x, y and z.
+        resolution: [u32; 3],
+    },
+    /// More than [`MOST_CELLS`].
+    TooManyCells {
+        /// How many there would be.
+        cells: f64,
+    },
+    /// Cells so thin that their planes would lie on top of each other.
+    TooThin {
+        /// Along which axis: 0 for x, 1 for y, 2 for z.
+        axis: usize,
+        /// How many cells there may be along it.
+        most: u32,
+    },
+    /// The lists would take too much memory.
+    TooManyEntries {
+        /// Cells along x, y and z.
+        resolution: [u32; 3],
+    },
+}
+
+impl fmt::Display for GridError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match *self {
+            Self::Density { density } => write!(
+                f,
+                "a grid's density is its number of cells for each object, and {density} is none; give a \
+                 number above 0, such as 3"
+            ),
+            Self::NoCells {
+                resolution: [x, y, z],
+            } => write!(
+                f,
+                "a grid of {x} × {y} × {z} has no cells; give at least 1 along each axis"
+            ),
+            Self::TooManyCells { cells } => write!(
+                f,
+                "a grid of {cells:.4e} cells takes too much memory; {MOST_CELLS} are the most: give a \
+                 smaller resolution or density"
+            ),
+            Self::TooThin { axis, most } => write!(
+                f,
+                "the scene is too thin along {} for so many cells; {most} are the most along that axis",
+                ["x", "y", "z"][axis.min(2)]
+            ),
+            Self::TooManyEntries {
+                resolution: [x, y, z],
+            } => write!(
+                f,
+                "the lists of a grid of {x} × {y} × {z} cells would hold more than {MOST_ENTRIES} objects in \
+                 all; give a smaller resolution or density"
+            ),
+        }
+    }
+}
+
+impl std::error::Error for GridError {}

@@ -1,0 +1,128 @@
+//! Which of two planes does a ray meet first? Exactly.
+
+use std::cmp::Ordering;
+
+use crate::geometry::sign_of_sum;
+
+/// Where a ray meets a plane across an axis: t = (plane − origin)/direction.
+///
+/// A plain t is the meeting of a ray from 0 along 1 with that plane.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Meeting {
+    /// The plane's coordinate.
+    pub(super) plane: f64,
+    /// The origin's coordinate along the same axis.
+    pub(super) origin: f64,
+    /// Δ along it, not 0.
+    pub(super) direction: f64,
+}
+
+impl Meeting {
+    /// The t itself.
+    #[inline]
+    pub(super) fn at(t: f64) -> Self {
+        Self {
+            plane: t,
+            origin: 0.0,
+            direction: 1.0,
+        }
+    }
+
+    /// t, rounded twice.
+    #[inline]
+    pub(super) fn t(&self) -> f64 {
+        (self.plane - self.origin) / self.direction
+    }
+
+    /// Does this meeting come before the other, at the same t, or after it? Without rounding.
+    #[inline]
+    pub(super) fn order(&self, other: &Self) -> Ordering {
+        let (t, other_t) = (self.t(), other.t());
+        if clearly_before(t, other_t) {
+            return Ordering::Less;
+        }
+        if clearly_before(other_t, t) {
+            return Ordering::Greater;
+        }
+        self.exact_order(other)
+    }
+
+    /// Is this meeting before the other?
+    #[inline]
+    pub(super) fn before(&self, other: &Self) -> bool {
+        self.order(other) == Ordering::Less
+    }
+
+    /// The sign of (p − o)·δ′ − (p′ − o′)·δ, turned where one of the directions is negative.
+    #[cold]
+    pub(super) fn exact_order(&self, other: &Self) -> Ordering {
+        let (own, others) = (self.direction, other.direction);
+        let difference = sign_of_sum(&[
+            [self.plane, others],
+            [-self.origin, others],
+            [-other.plane, own],
+            [other.origin, own],
+        ]);
+        if (own < 0.0) == (others < 0.0) {
+            difference
+        } else {
+            difference.reverse()
+        }
+    }
+}
+
+/// Two t in this order stay in it whatever their rounding was.
+///
+/// A t is rounded up to three times (the difference, 1/Δ, the product), so it is right within 2ε of itself.
+pub(super) const MARGIN: f64 = 8.0 * f64::EPSILON;
+
+/// Below this, t loses digits to the limits of f64, and [`MARGIN`] says nothing.
+pub(super) const TINY: f64 = 1e-290;
+
+/// Does t come before the other for certain? Infinite values that would need a closer look are not certain.
+#[inline]
+pub(super) fn clearly_before(t: f64, other: f64) -> bool {
+    t + MARGIN * t.abs() + TINY < other
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[track_caller]
+    fn check(a: [f64; 3], b: [f64; 3], expected: Ordering) {
+        let meeting = |[plane, origin, direction]: [f64; 3]| Meeting {
+            plane,
+            origin,
+            direction,
+        };
+        assert_eq!(meeting(a).order(&meeting(b)), expected);
+        assert_eq!(meeting(b).order(&meeting(a)), expected.reverse());
+    }
+
+    #[test]
+    fn the_smaller_t_comes_first_in_any_direction() {
+        check([1.0, 0.0, 1.0], [2.0, 0.0, 1.0], Ordering::Less);
+        check([1.0, 0.0, 1.0], [-2.0, 0.0, -1.0], Ordering::Less);
+        check([-1.0, 0.0, -1.0], [-2.0, 0.0, -1.0], Ordering::Less);
+    }
+
+    #[test]
+    fn thirds_that_f64_rounds_are_told_apart() {
+        // 1/3 against 0.333…33 with 16 digits, and against 2/6
+        let third = [1.0, 0.0, 3.0];
+        check(third, [1.0 / 3.0, 0.0, 1.0], Ordering::Greater);
+        check(third, [2.0, 0.0, 6.0], Ordering::Equal);
+        check(third, [-1.0, 1.0, -6.0], Ordering::Equal);
+    }
+
+    #[test]
+    fn a_difference_that_vanishes_in_f64_counts() {
+        // from −1 to 2⁻⁶⁰ is further than from −1 to 0
+        check(
+            [0.0, -1.0, 1.0],
+            [0.5f64.powi(60), -1.0, 1.0],
+            Ordering::Less,
+        );
+    }
+}
