@@ -9,7 +9,9 @@ use std::ops::ControlFlow;
 use crate::geometry::Ray;
 use crate::scene::{Object, PrimitiveId, Scene};
 use crate::strategy::{Search, Strategy};
-use crate::structure::{MOST_SLABS, SlabSet, Volume, VolumeKind, VolumeRay, reach};
+use crate::structure::{
+    MOST_SLABS, NO_SLAB, SlabSet, Volume, VolumeKind, VolumeRay, crossed, reach,
+};
 use crate::trace::{BoundOutcome, BoundTest, Bounded, Event, Recorder, SlabTest};
 
 /// Tests a ray against the volume around each object, in the order of the scene, and if it meets that where
@@ -56,15 +58,16 @@ impl<'a, const N: usize> BoundedObjects<'a, N> {
         recorder: &mut R,
     ) -> bool {
         let of = Bounded::Object(number);
+        let mut so_far = NO_SLAB;
         let inside = volume.inside(line, |slab, near, far| {
             // a set with fewer directions than it has room for is filled up with slabs that hold everything
-            if let Volume::Slabs(bound) = volume
+            if R::ENABLED
+                && let Volume::Slabs(bound) = volume
                 && slab < self.set.directions().len()
             {
-                recorder.note(|| {
-                    let step = bound.step(slab, ray, &self.set, [near, far]);
-                    Event::SlabTest(SlabTest { of, step })
-                });
+                let step = bound.step(slab, ray, &self.set, so_far, crossed(near, far));
+                so_far = [step.max_near, step.min_far];
+                recorder.note(|| Event::SlabTest(SlabTest { of, step }));
             }
             R::ENABLED
         });

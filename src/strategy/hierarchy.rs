@@ -16,7 +16,9 @@ use crate::geometry::{Ray, TRange};
 use crate::scene::Scene;
 use crate::strategy::waiting::{Stack, Waiting};
 use crate::strategy::{Search, Strategy};
-use crate::structure::{Build, Hierarchy, Inside, Link, RaySlabs, SlabSet, VolumeKind, range};
+use crate::structure::{
+    Build, Hierarchy, Inside, Link, NO_SLAB, RaySlabs, SlabSet, VolumeKind, crossed, range,
+};
 use crate::trace::{
     BoundOutcome, BoundTest, Bounded, Event, NodeOutcome, NodeVisit, QueueAction, QueueStep,
     Recorder, SlabTest,
@@ -215,13 +217,13 @@ impl<'a, const N: usize> Nodes<'a, N> {
     ) -> Option<Waiting> {
         let bound = &self.hierarchy.nodes()[node as usize].bound;
         let of = Bounded::Node(node);
+        let mut so_far = NO_SLAB;
         let inside = bound.inside(slabs, |slab, near, far| {
             // a set with fewer directions than it has room for is filled up with slabs that hold everything
             if R::ENABLED && slab < self.hierarchy.set().directions().len() {
-                recorder.note(|| {
-                    let step = bound.step(slab, ray, self.hierarchy.set(), [near, far]);
-                    Event::SlabTest(SlabTest { of, step })
-                });
+                let step = bound.step(slab, ray, self.hierarchy.set(), so_far, crossed(near, far));
+                so_far = [step.max_near, step.min_far];
+                recorder.note(|| Event::SlabTest(SlabTest { of, step }));
             }
             R::ENABLED
         });

@@ -35,5 +35,6 @@ pub use hierarchy::{Build, Hierarchy, Link, MergeStep, Node};
 pub(crate) use hierarchy::{range, reach};
 pub use options::{StructureError, StructureOptions};
 pub use slab_bound::{Inside, RaySlabs, SlabBound, SlabOutcome, SlabStep};
+pub(crate) use slab_bound::{NO_SLAB, crossed};
 pub use slab_set::{MOST_SLABS, SlabChoice, SlabSet, SlabSetError};
 pub use volume::{Volume, VolumeKind, VolumeRay};

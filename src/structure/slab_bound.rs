@@ -119,11 +119,11 @@ pub struct RaySlabs<const N: usize> {
 /// surface flatly hits lie off the surface by a hundredfold of ε.
 pub(super) const ROOM: f64 = 2e-10;
 
-/// So many slabs make a box.
-const BOX: usize = 3;
-
 /// A t beyond this comes from a parallel slab: a scene's numbers end at 10⁵⁰, a parallel T begins at 10²⁰⁰.
 const FARTHEST: f64 = 1e120;
+
+/// So many slabs make a box.
+const BOX: usize = 3;
 
 impl<const N: usize> RaySlabs<N> {
     /// S and T of the ray for each direction; `reach` is the largest coordinate of what the bounds are around.
@@ -194,37 +194,38 @@ impl<const N: usize> SlabBound<N> {
             let at_max = (ray.s_max[slab] + self.d_max[slab]) * ray.t_scale[slab];
             near = larger(near, smaller(at_min, at_max));
             far = smaller(far, larger(at_min, at_max));
-            let told = tell(slab, near, far);
-            if (told || BOX <= slab + 1) && far < near {
+            if tell(slab, near, far) {
+                if crossed(near, far) {
+                    far = f64::NEG_INFINITY;
+                    break;
+                }
+            } else if BOX <= slab + 1 && far < near {
                 break;
             }
         }
         Inside { near, far }
     }
 
-    /// The working of one slab, for a ray of which `max_near` and `min_far` are known up to it.
+    /// The working of one slab; `so_far` is the largest near and the smallest far of the slabs before it, and
+    /// `crossed` whether the bound is left here.
+    ///
+    /// The numbers are those of the slab itself, without the room of [`RaySlabs`].
     pub fn step(
         &self,
         slab: usize,
         ray: &Ray,
         set: &SlabSet<N>,
-        [max_near, min_far]: [f64; 2],
+        so_far: [f64; 2],
+        crossed: bool,
     ) -> SlabStep {
-        // what lies beyond a parallel slab has no bound
-        let limited = |t: f64| {
-            if t.abs() < FARTHEST {
-                t
-            } else {
-                t * f64::INFINITY
-            }
-        };
-        let (max_near, min_far) = (limited(max_near), limited(min_far));
         let normal = set.padded()[slab];
         let line = SlabRay::new(ray, normal);
         let (d_min, d_max) = (self.d_min[slab], self.d_max[slab]);
         let interval = line.interval(d_min, d_max);
-        let crossed =
-            min_far < max_near || max_near == f64::INFINITY || min_far == f64::NEG_INFINITY;
+        let [mut max_near, mut min_far] = so_far;
+        if let SlabInterval::Between { near, far } = interval {
+            (max_near, min_far) = (larger(max_near, near), smaller(min_far, far));
+        }
         let outcome = match interval {
             SlabInterval::ParallelOutside if crossed => SlabOutcome::ParallelOutside,
             _ if crossed => SlabOutcome::Null,
@@ -247,6 +248,15 @@ impl<const N: usize> SlabBound<N> {
         }
     }
 }
+
+/// Is nothing left between the largest near and the smallest far? Beyond a parallel slab there never is, which
+/// its neighbours would show a slab later.
+pub(crate) fn crossed(near: f64, far: f64) -> bool {
+    far < near || FARTHEST < near || far < -FARTHEST
+}
+
+/// Nothing is known of a ray before its first slab: every t.
+pub(crate) const NO_SLAB: [f64; 2] = [f64::NEG_INFINITY, f64::INFINITY];
 
 #[cfg(test)]
 mod tests {
@@ -308,9 +318,12 @@ mod tests {
     fn the_steps_of_a_missed_bound_end_where_near_and_far_cross() {
         let (set, bound) = four_and_one();
         let ray = Ray::new(DVec3::new(-0.05, 1.95, 0.0), DVec3::new(1.0, -1.0, 0.0));
-        let mut steps = Vec::new();
+        let mut steps: Vec<SlabStep> = Vec::new();
         bound.inside(&RaySlabs::new(&ray, &set, 1.0), |slab, near, far| {
-            steps.push(bound.step(slab, &ray, &set, [near, far]));
+            let so_far = steps
+                .last()
+                .map_or(NO_SLAB, |step| [step.max_near, step.min_far]);
+            steps.push(bound.step(slab, &ray, &set, so_far, crossed(near, far)));
             true
         });
         let outcomes: Vec<_> = steps.iter().map(|step| step.outcome).collect();
