@@ -15,7 +15,8 @@
 //! 5. [`strategy`]: which objects a ray is tested against: every one (Fig. 15.56), or only those that a
 //!    structure leaves;
 //! 6. [`tracer`]: what a hit leads to: shadow rays, reflection, refraction; pixels and pictures;
-//! 7. [`explain`]: from events to words.
+//! 7. [`explain`]: from events to words, and what each strategy costs;
+//! 8. [`figure`]: bars of costs and heat maps.
 //!
 //! Equations and figures are numbered as in the course's slides, after Foley, van Dam, Feiner and Hughes,
 //! *Computer Graphics: Principles and Practice*, §15.10.
@@ -44,6 +45,7 @@
 //! ```
 
 pub mod explain;
+pub mod figure;
 pub mod geometry;
 pub mod scene;
 pub mod strategy;
@@ -52,8 +54,11 @@ pub mod trace;
 pub mod tracer;
 
 pub use explain::{
-    WorkedOptions, counts_json, counts_text, pixel_json, printable, worked_solution,
+    Compared, Comparison, Cost, InAdvance, WorkedOptions, counts_json, counts_text, in_advance,
+    in_advance_json, in_advance_text, pixel_json, printable, strategies_to_compare,
+    worked_solution,
 };
+pub use figure::{Raster, cost_chart, heat_map};
 pub use geometry::{
     AlignedRay, AlignedSlab, Alignment, Axis, AxisBox, BoxTest, Cone, DecidedBy, EdgeTest,
     Ellipsoid, Fate, GRAZE, OrientedEllipsoid, Plane, PlaneTest, PlaneVerdict, Polygon,
@@ -84,6 +89,6 @@ pub use trace::{
     Transport, Visibility, WalkEnd, ZSort, begins_log, scene_schema, trace_schema, write_log_head,
 };
 pub use tracer::{
-    EPSILON, LogOptions, LogStopped, Picture, Tracer, eye_samples, render, start_epsilon,
-    trace_pixel, write_log,
+    EPSILON, Heat, HeatLine, HeatOf, LogOptions, LogStopped, Picture, Tracer, eye_samples,
+    heat_values, render, start_epsilon, trace_pixel, write_log,
 };

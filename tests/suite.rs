@@ -4,6 +4,7 @@ mod bad_input;
 mod bounds;
 mod calculator;
 mod cli;
+mod compare;
 mod exact;
 mod grid_exact;
 mod layers;

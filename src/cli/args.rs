@@ -6,8 +6,8 @@ use std::path::PathBuf;
 use clap::{Args as ClapArgs, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
 use raystep::{
-    Build, GridOptions, Kind, Lists, Region, SlabChoice, StrategyName, StructureOptions, Through,
-    Transport, VolumeKind, nearest_name,
+    Build, GridOptions, HeatOf, Kind, Lists, Region, SlabChoice, StrategyName, StructureOptions,
+    Through, Transport, VolumeKind, nearest_name,
 };
 
 use crate::cli::Error;
@@ -31,6 +31,8 @@ pub(crate) enum Verb {
     Trace(TraceArgs),
     /// Write the picture as PNG.
     Render(RenderArgs),
+    /// Compare what the strategies cost on the same rays.
+    Compare(CompareArgs),
     /// Rewrite a scene in NFF, OBJ or JSON, or the scene of a log, as JSON.
     Convert(ConvertArgs),
     /// Print the JSON Schema of scenes or logs.
@@ -41,7 +43,7 @@ pub(crate) enum Verb {
 
 /// How a scene is traced. A saved log has been traced, so none of these go with one, except the
 /// statistics.
-#[derive(Debug, ClapArgs)]
+#[derive(Debug, Default, ClapArgs)]
 #[command(next_help_heading = "Tracing")]
 pub(crate) struct Tracing {
     /// Which objects each ray is tested against [default: exhaustive]
@@ -71,21 +73,9 @@ pub(crate) struct Tracing {
     /// Record how the hierarchy or the grid is built
     #[arg(long)]
     pub(crate) building: bool,
-    /// Which rays are cast [default: hybrid-light]
-    #[arg(long, value_enum, value_name = "NAME")]
-    pub(crate) transport: Option<Transport>,
-    /// Size of the picture, in place of the scene's
-    #[arg(long, value_name = "W,H", value_parser = pixels)]
-    pub(crate) pixels: Option<[u32; 2]>,
-    /// Largest depth of a ray, in place of the scene's; eye rays have depth 1
-    #[arg(long, value_name = "N")]
-    pub(crate) max_depth: Option<u32>,
-    /// Opaque objects show only their front
-    #[arg(long)]
-    pub(crate) one_sided: bool,
-    /// Where the eye rays pass a pixel [default: centres]
-    #[arg(long, value_enum, value_name = "WHERE")]
-    pub(crate) through: Option<Through>,
+    /// Which rays there are.
+    #[command(flatten)]
+    pub(crate) casting: Casting,
     /// Count rays and tests: as text on standard error, or as JSON on standard output
     #[arg(long, value_enum, value_name = "FORMAT", num_args = 0..=1, require_equals = true)]
     #[arg(default_missing_value = "text")]
@@ -108,6 +98,27 @@ impl Tracing {
             },
         }
     }
+}
+
+/// Which rays are cast.
+#[derive(Clone, Debug, Default, ClapArgs)]
+#[command(next_help_heading = "Tracing")]
+pub(crate) struct Casting {
+    /// Which rays are cast [default: hybrid-light]
+    #[arg(long, value_enum, value_name = "NAME")]
+    pub(crate) transport: Option<Transport>,
+    /// Size of the picture, in place of the scene's
+    #[arg(long, value_name = "W,H", value_parser = pixels)]
+    pub(crate) pixels: Option<[u32; 2]>,
+    /// Largest depth of a ray, in place of the scene's; eye rays have depth 1
+    #[arg(long, value_name = "N")]
+    pub(crate) max_depth: Option<u32>,
+    /// Opaque objects show only their front
+    #[arg(long)]
+    pub(crate) one_sided: bool,
+    /// Where the eye rays pass a pixel [default: centres]
+    #[arg(long, value_enum, value_name = "WHERE")]
+    pub(crate) through: Option<Through>,
 }
 
 /// Text or JSON.
@@ -182,19 +193,62 @@ pub(crate) struct TraceArgs {
 
 /// The picture.
 #[derive(Debug, ClapArgs)]
-#[command(after_help = "Example:\n  raystep render scene.json -o picture.png --stats")]
+#[command(after_help = "Examples:
+  raystep render scene.json -o picture.png --stats
+  raystep render scene.json -o cost.png --heatmap tests --strategy hierarchy")]
 pub(crate) struct RenderArgs {
     /// Scene (.json, .nff, .obj); - is standard input
     pub(crate) scene: PathBuf,
     /// The picture; - is standard output
     #[arg(short, long, value_name = "F.png")]
     pub(crate) output: PathBuf,
+    /// Show what each pixel cost, from dark blue to yellow; a legend stands below, and a small picture is
+    /// enlarged to its width
+    #[arg(long, value_enum, value_name = "WHAT")]
+    pub(crate) heatmap: Option<HeatOf>,
     /// How many threads trace [default: all cores]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
     pub(crate) threads: Option<u16>,
     /// How it is traced.
     #[command(flatten)]
     pub(crate) tracing: Tracing,
+}
+
+/// The strategies side by side.
+#[derive(Debug, ClapArgs)]
+#[command(after_help = "Examples:
+  raystep compare scene.json --chart cost.svg
+  raystep compare scene.json 80,60 --format json")]
+pub(crate) struct CompareArgs {
+    /// Scene (.json, .nff, .obj); - is standard input
+    pub(crate) scene: PathBuf,
+    /// The rays of one pixel alone: column and row, counted from 0,0 at the top left
+    #[arg(value_name = "X,Y", value_parser = pixel)]
+    pub(crate) pixel: Option<[u64; 2]>,
+    /// Text, JSON with all counts, or CSV
+    #[arg(long, value_enum, default_value = "text", hide_possible_values = true)]
+    #[arg(value_name = "text|json|csv")]
+    pub(crate) format: TableFormat,
+    /// Draw the tests as bars on a logarithmic axis
+    #[arg(long, value_name = "F.svg")]
+    pub(crate) chart: Option<PathBuf>,
+    /// How many threads trace [default: all cores]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
+    pub(crate) threads: Option<u16>,
+    /// Which rays there are.
+    #[command(flatten)]
+    pub(crate) casting: Casting,
+}
+
+/// Text, JSON or CSV.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum TableFormat {
+    /// For reading.
+    Text,
+    /// For programs.
+    Json,
+    /// For tables.
+    Csv,
 }
 
 /// A scene in JSON.

@@ -94,18 +94,22 @@ pub(crate) fn ready(
     tracing: &Tracing,
     started: Instant,
 ) -> Result<Ready, Error> {
-    if let Some(pixels) = tracing.pixels {
+    if let Some(pixels) = tracing.casting.pixels {
         loaded.scene.camera.pixels = pixels;
     }
-    if let Some(depth) = tracing.max_depth {
+    if let Some(depth) = tracing.casting.max_depth {
         loaded.scene.max_depth = depth;
     }
     let mut scene = loaded.build().map_err(|error| {
         // what an option has put there stands in no line of the file
         let option = match &error {
             LoadError::Fault { fault, .. } => match fault {
-                Fault::Pixels { .. } if tracing.pixels.is_some() => Some(("--pixels", fault)),
-                Fault::Depth { .. } if tracing.max_depth.is_some() => Some(("--max-depth", fault)),
+                Fault::Pixels { .. } if tracing.casting.pixels.is_some() => {
+                    Some(("--pixels", fault))
+                }
+                Fault::Depth { .. } if tracing.casting.max_depth.is_some() => {
+                    Some(("--max-depth", fault))
+                }
                 _ => None,
             },
             _ => None,
@@ -118,16 +122,16 @@ pub(crate) fn ready(
             None => Error::Load(error),
         }
     })?;
-    if tracing.one_sided {
+    if tracing.casting.one_sided {
         scene = scene.one_sided();
     }
     let settings = Settings {
         strategy: tracing.strategy.unwrap_or_default(),
         structure: tracing.structure(),
         building: tracing.building,
-        transport: tracing.transport.unwrap_or_default(),
-        through: tracing.through.unwrap_or_default(),
-        one_sided: tracing.one_sided,
+        transport: tracing.casting.transport.unwrap_or_default(),
+        through: tracing.casting.through.unwrap_or_default(),
+        one_sided: tracing.casting.one_sided,
         only: None,
         region: None,
     };
@@ -150,11 +154,11 @@ pub(crate) fn refuse_tracing(path: &Path, tracing: &Tracing) -> Result<(), Error
         ("--lists", tracing.lists.is_some()),
         ("--no-mailboxes", tracing.no_mailboxes),
         ("--building", tracing.building),
-        ("--transport", tracing.transport.is_some()),
-        ("--pixels", tracing.pixels.is_some()),
-        ("--max-depth", tracing.max_depth.is_some()),
-        ("--one-sided", tracing.one_sided),
-        ("--through", tracing.through.is_some()),
+        ("--transport", tracing.casting.transport.is_some()),
+        ("--pixels", tracing.casting.pixels.is_some()),
+        ("--max-depth", tracing.casting.max_depth.is_some()),
+        ("--one-sided", tracing.casting.one_sided),
+        ("--through", tracing.casting.through.is_some()),
     ];
     let given = given.into_iter().filter(|(_, is_given)| *is_given);
     let names: Vec<&str> = given.map(|(name, _)| name).collect();

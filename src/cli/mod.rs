@@ -1,6 +1,7 @@
 //! The command line: one file per verb. It reads scenes and logs, calls the library, writes files.
 
 mod args;
+mod compare;
 mod completions;
 mod convert;
 mod error;
@@ -29,6 +30,7 @@ pub(crate) fn run(arguments: impl Iterator<Item = OsString>) -> Result<(), Error
         Verb::Pixel(args) => pixel::run(&args),
         Verb::Trace(args) => trace::run(&args),
         Verb::Render(args) => render::run(&args),
+        Verb::Compare(args) => compare::run(&args),
         Verb::Convert(args) => convert::run(&args),
         Verb::Schema(args) => schema::run(&args),
         Verb::Completions(args) => completions::run(&args),

@@ -58,13 +58,16 @@ pub(crate) fn run(args: &PixelArgs) -> Result<(), Error> {
         for record in &traced.records {
             counts.add(record);
         }
-        stats::tell(format, counts.counts(), traced.times)?;
+        let Traced {
+            scene, settings, ..
+        } = &traced;
+        stats::tell(format, scene, settings, counts.counts(), traced.times)?;
     }
     Ok(())
 }
 
 /// The pixel, if the picture has it.
-fn inside(pixel: [u64; 2], scene: &Scene) -> Result<[u32; 2], Error> {
+pub(crate) fn inside(pixel: [u64; 2], scene: &Scene) -> Result<[u32; 2], Error> {
     let pixels = scene.camera.pixels;
     if pixel
         .iter()

@@ -1,9 +1,12 @@
-//! `raystep render`: the picture as PNG, 8 bits a channel, without gamma.
+//! `raystep render`: the picture as PNG, 8 bits a channel, without gamma; or what each pixel cost.
 
 use std::io::{self, Write};
 use std::time::Instant;
 
-use raystep::{Counts, Off, Picture, Recorder, Strategy, Through, Tracer, render};
+use raystep::{
+    Counts, HeatLine, HeatOf, Off, Picture, Raster, Recorder, Strategy, Through, Tracer, heat_map,
+    heat_values, render,
+};
 
 use crate::cli::Error;
 use crate::cli::args::{Format, RenderArgs};
@@ -36,31 +39,57 @@ pub(crate) fn run(args: &RenderArgs) -> Result<(), Error> {
     write_png(&picture, &mut out).map_err(|error| out.failed(error))?;
     out.finish()?;
     match (args.tracing.stats, counted) {
-        (Some(format), Some((counts, times))) => stats::tell(format, &counts, times),
+        (Some(format), Some((counts, times))) => {
+            stats::tell(format, &ready.scene, &ready.settings, &counts, times)
+        }
         _ => Ok(()),
     }
 }
 
-/// The picture, and its counts if they are wanted.
+/// The picture or the heat map, and the counts if they are wanted.
 fn render_with<S: Strategy>(
     strategy: &S,
     ready: &Ready,
     args: &RenderArgs,
     mut times: Times,
-) -> Result<(Picture, Option<(Counts, Times)>), Error> {
+) -> Result<(Raster, Option<(Counts, Times)>), Error> {
     let tracer = Tracer {
         scene: &ready.scene,
         strategy,
         transport: ready.settings.transport,
     };
-    if args.tracing.stats.is_none() {
-        let (picture, _) = traced::<_, Off>(&tracer, ready, args)?;
-        return Ok((picture, None));
-    }
     let started = Instant::now();
-    let (picture, counts) = traced::<_, Counts>(&tracer, ready, args)?;
+    let (raster, counts) = match args.heatmap {
+        None if args.tracing.stats.is_none() => {
+            let (picture, _) = traced::<_, Off>(&tracer, ready, args)?;
+            return Ok((raster(&picture), None));
+        }
+        None => {
+            let (picture, counts) = traced::<_, Counts>(&tracer, ready, args)?;
+            (raster(&picture), counts)
+        }
+        Some(of) => {
+            let (picture, heard) = traced::<_, (HeatLine, Counts)>(&tracer, ready, args)?;
+            let (lines, counts): (Vec<_>, Vec<_>) = heard.into_iter().unzip();
+            (heat_raster(&picture, &lines, of, ready), counts)
+        }
+    };
     times.tracing = started.elapsed();
-    Ok((picture, Some((stats::sum(&counts), times))))
+    Ok((raster, Some((stats::sum(&counts), times))))
+}
+
+/// The colours of the picture.
+fn raster(picture: &Picture) -> Raster {
+    Raster {
+        pixels: picture.pixels,
+        bytes: picture.bytes(),
+    }
+}
+
+/// What its pixels cost.
+fn heat_raster(picture: &Picture, lines: &[HeatLine], of: HeatOf, ready: &Ready) -> Raster {
+    let values = heat_values(lines, of, ready.settings.through);
+    heat_map(picture.pixels, &values, of.title())
 }
 
 fn traced<S: Strategy, R: Recorder + Default + Send>(
@@ -78,7 +107,7 @@ fn traced<S: Strategy, R: Recorder + Default + Send>(
     traced
 }
 
-fn write_png(picture: &Picture, out: impl Write) -> io::Result<()> {
+fn write_png(picture: &Raster, out: impl Write) -> io::Result<()> {
     let failed = |error| match error {
         png::EncodingError::IoError(error) => error,
         other => io::Error::other(other),
@@ -88,6 +117,6 @@ fn write_png(picture: &Picture, out: impl Write) -> io::Result<()> {
     encoder.set_color(png::ColorType::Rgb);
     encoder.set_depth(png::BitDepth::Eight);
     let mut writer = encoder.write_header().map_err(failed)?;
-    writer.write_image_data(&picture.bytes()).map_err(failed)?;
+    writer.write_image_data(&picture.bytes).map_err(failed)?;
     writer.finish().map_err(failed)
 }

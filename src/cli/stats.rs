@@ -3,7 +3,10 @@
 use std::io::{self, Write};
 use std::time::Duration;
 
-use raystep::{Counts, Record, Recorder, Settings, counts_json, counts_text};
+use raystep::{
+    Counts, Record, Recorder, Scene, Settings, counts_json, counts_text, in_advance,
+    in_advance_json, in_advance_text,
+};
 use serde_json::{Value, json};
 
 use crate::cli::Error;
@@ -22,7 +25,14 @@ pub(crate) struct Times {
 }
 
 /// Tells the counts: as text on standard error, as JSON on standard output.
-pub(crate) fn tell(format: Format, counts: &Counts, times: Times) -> Result<(), Error> {
+pub(crate) fn tell(
+    format: Format,
+    scene: &Scene,
+    settings: &Settings,
+    counts: &Counts,
+    times: Times,
+) -> Result<(), Error> {
+    let advance = in_advance(scene, settings, counts);
     let parts = [
         ("loading", times.loading),
         ("building", times.building),
@@ -31,13 +41,14 @@ pub(crate) fn tell(format: Format, counts: &Counts, times: Times) -> Result<(), 
     match format {
         Format::Text => {
             let seconds = parts.map(|(part, time)| format!("{part} {:.3} s", time.as_secs_f64()));
-            let table = counts_text(counts);
+            let [table, advance] = [counts_text(counts), in_advance_text(&advance)];
             // counts that nobody can read stop nothing
-            let _ = writeln!(io::stderr(), "{}\n{}", table.trim_end(), seconds.join(", "));
+            let _ = writeln!(io::stderr(), "{table}{advance}{}", seconds.join(", "));
             Ok(())
         }
         Format::Json => {
             let mut report = counts_json(counts);
+            report["in_advance"] = in_advance_json(&advance);
             let seconds = parts.map(|(part, time)| (part.into(), json!(time.as_secs_f64())));
             report["seconds"] = Value::Object(seconds.into_iter().collect());
             Output::standard().write_whole(format!("{report:#}\n").as_bytes())

@@ -79,7 +79,8 @@ fn trace_with<S: Strategy>(
     let counts = write::<_, Counts>(&tracer, ready, args, options, &mut out)?;
     times.tracing = started.elapsed();
     out.finish()?;
-    stats::tell(format, &stats::sum(&counts), times)
+    let counts = stats::sum(&counts);
+    stats::tell(format, &ready.scene, &ready.settings, &counts, times)
 }
 
 /// Writes the log, and gives back what else heard of the trace.
@@ -180,7 +181,7 @@ fn filter_again(mut log: Log, args: &TraceArgs, started: Instant) -> Result<(), 
             loading: started.elapsed(),
             ..Times::default()
         };
-        stats::tell(format, counts.counts(), times)?;
+        stats::tell(format, log.scene(), log.settings(), counts.counts(), times)?;
     }
     Ok(())
 }

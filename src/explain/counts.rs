@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use serde_json::{Value, json};
 
-use crate::trace::{Counts, Purpose};
+use crate::trace::{Counts, Kind, Purpose};
 
 /// The counts as tables: rays by purpose, tests by kind, what the search cost. What did not occur is left
 /// out.
@@ -13,7 +13,9 @@ pub fn counts_text(counts: &Counts) -> String {
     // writing to a String cannot fail
     let mut row = |cells: [String; 4]| {
         let [name, a, b, c] = cells;
-        let _ = writeln!(text, "{name:<16}{a:>14}{b:>14}{c:>14}");
+        // the longest name of a search count has 21 letters: all numbers end in the same columns
+        let line = format!("{name:<22}{a:>14}{b:>14}{c:>14}");
+        let _ = writeln!(text, "{}", line.trim_end());
     };
     row(["rays", "traced", "hit", "beyond depth"].map(Into::into));
     for (purpose, count) in Counts::PURPOSES.into_iter().zip(counts.rays) {
@@ -50,7 +52,12 @@ pub fn counts_text(counts: &Counts) -> String {
         ]);
     }
     for (name, number) in searched {
-        let _ = writeln!(text, "{name:<22}{number:>8}");
+        row([
+            name.into(),
+            number.to_string(),
+            String::new(),
+            String::new(),
+        ]);
     }
     text
 }
@@ -88,6 +95,15 @@ pub fn counts_json(counts: &Counts) -> Value {
         .map(|(name, number)| (name.replace(' ', "_"), number.into()))
         .collect();
     json!({ "rays": rays, "tests": tests, "search": search })
+}
+
+/// How many tests of one kind were made.
+pub(super) fn tests_of(counts: &Counts, wanted: Kind) -> u64 {
+    let tests = Counts::TESTS.into_iter().zip(counts.tests);
+    tests
+        .filter(|(kind, _)| *kind == wanted)
+        .map(|(_, count)| count.tests)
+        .sum()
 }
 
 fn purpose_name(purpose: Purpose) -> &'static str {

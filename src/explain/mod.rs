@@ -1,14 +1,21 @@
-//! From events to words: the worked solution of a pixel, and tables of counts.
+//! From events to words: the worked solution of a pixel, tables of counts, strategies compared.
 //!
 //! Nothing here traces: what is printed comes from the records and the scene in the log.
 
+mod advance;
+mod compare;
 mod counts;
 mod json;
 mod number;
 mod page;
+mod variants;
 mod worked;
 
+pub use advance::{InAdvance, in_advance, in_advance_json, in_advance_text};
+pub use compare::{Compared, Comparison, Cost};
 pub use counts::{counts_json, counts_text};
 pub use json::pixel_json;
+pub(crate) use number::grouped;
 pub use page::printable;
+pub use variants::strategies_to_compare;
 pub use worked::{WorkedOptions, worked_solution};

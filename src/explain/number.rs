@@ -107,6 +107,19 @@ impl Digits {
     }
 }
 
+/// A count with its digits in groups of three, as in 104 857 600.
+pub(crate) fn grouped(count: u64) -> String {
+    let digits = count.to_string();
+    let mut text = String::with_capacity(digits.len() + digits.len() / 3);
+    for (i, digit) in digits.chars().enumerate() {
+        if 0 < i && (digits.len() - i).is_multiple_of(3) {
+            text.push(' ');
+        }
+        text.push(digit);
+    }
+    text
+}
+
 /// Is a difference of terms of a size no more than what their rounding leaves?
 fn is_rounding(size: f64, difference: f64) -> bool {
     /// Some roundings of 10⁻¹⁶ each.

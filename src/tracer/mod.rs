@@ -2,6 +2,7 @@
 
 mod backward;
 mod epsilon;
+mod heat;
 mod in_order;
 mod log;
 mod picture;
@@ -9,6 +10,7 @@ mod pixel;
 
 pub use backward::Tracer;
 pub use epsilon::{EPSILON, start_epsilon};
+pub use heat::{Heat, HeatLine, HeatOf, heat_values};
 pub use log::{LogOptions, LogStopped, write_log};
 pub use picture::{Picture, render};
 pub use pixel::{eye_samples, trace_pixel};

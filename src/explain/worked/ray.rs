@@ -354,7 +354,7 @@ fn misses_at_start(steps: &[Step]) -> (usize, usize) {
                 misses += 1;
                 length = at + 1;
             }
-            Step::Search(Event::Aligned(_)) => {}
+            Step::Search(Event::Aligned(_) | Event::Listed { .. } | Event::Mailbox { .. }) => {}
             _ => break,
         }
     }

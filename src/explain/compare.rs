@@ -1,0 +1,358 @@
+//! What each strategy costs on the same rays: a table, JSON, CSV.
+//!
+//! Slides, on the cost of the simple ray tracer: 1024 × 1024 pixels and 100 objects ask for 104 857 600
+//! intersection calculations (erratum 9). Every other strategy is measured against that.
+
+use std::time::Duration;
+
+use serde_json::{Value, json};
+
+use crate::explain::counts::tests_of;
+use crate::explain::variants::variant_name;
+use crate::explain::{
+    counts_json, grouped, in_advance, in_advance_json, in_advance_text, printable,
+};
+use crate::scene::Scene;
+use crate::structure::StructureError;
+use crate::trace::{Counts, Settings, StrategyName};
+
+/// Strategies over the same rays of a scene.
+#[derive(Clone, Debug)]
+pub struct Comparison<'a> {
+    /// The scene.
+    pub scene: &'a Scene,
+    /// The pixel whose rays were traced; `None`: those of the picture.
+    pub pixel: Option<[u32; 2]>,
+    /// Each strategy with its variant, the exhaustive one first.
+    pub compared: Vec<Compared>,
+}
+
+/// A strategy with its variant.
+#[derive(Clone, Debug)]
+pub struct Compared {
+    /// Which.
+    pub settings: Settings,
+    /// What it cost, or why its structure cannot be built.
+    pub cost: Result<Cost, StructureError>,
+}
+
+/// What a strategy cost.
+#[derive(Clone, Debug, Default)]
+pub struct Cost {
+    /// Rays, tests and what the search took.
+    pub counts: Counts,
+    /// The memory of the structure.
+    pub bytes: usize,
+    /// How long the structure took to build.
+    pub building: Duration,
+    /// How long the rays took, counting included.
+    pub tracing: Duration,
+}
+
+impl Compared {
+    /// The strategy and what makes the variant, as in `hierarchy, insertion`.
+    pub fn name(&self) -> String {
+        variant_name(&self.settings)
+    }
+}
+
+impl Cost {
+    /// Bounds tested, nodes entered and cells visited: what it took to find the objects to test.
+    pub fn searched(&self) -> u64 {
+        let search = &self.counts.search;
+        search.bounds.tests + search.entered + search.cells
+    }
+}
+
+/// The columns after the name: the title in the table, the key in CSV.
+const COLUMNS: [(&str, &str); 15] = [
+    ("rays", "rays"),
+    ("bound tests", "bound_tests"),
+    ("nodes", "nodes"),
+    ("cells", "cells"),
+    ("object tests", "object_tests"),
+    ("sphere", "sphere"),
+    ("ellipsoid", "ellipsoid"),
+    ("cone", "cone"),
+    ("box", "box"),
+    ("plane", "plane"),
+    ("polygon", "polygon"),
+    ("per ray", "tests_per_ray"),
+    ("share %", "share_percent"),
+    ("build s", "build_seconds"),
+    ("bytes", "bytes"),
+];
+
+/// Where the columns of the kinds of test begin, in the order of [`Counts::TESTS`].
+const KINDS: usize = 5;
+
+impl Comparison<'_> {
+    /// The object tests of the exhaustive strategy, against which the others are measured.
+    fn exhaustive(&self) -> Option<u64> {
+        let costs = self.compared.iter().filter_map(|compared| {
+            let is_it = compared.settings.strategy == StrategyName::Exhaustive;
+            compared.cost.as_ref().ok().filter(|_| is_it)
+        });
+        costs.map(|cost| cost.counts.objects_tested()).next()
+    }
+
+    /// The share of the exhaustive count in percent; `None` if that is 0.
+    fn share(&self, cost: &Cost) -> Option<f64> {
+        let all = self.exhaustive().filter(|all| 0 < *all)?;
+        Some(cost.counts.objects_tested() as f64 / all as f64 * 100.0)
+    }
+
+    /// One cell for each of [`COLUMNS`].
+    fn cells(&self, cost: &Cost) -> [String; COLUMNS.len()] {
+        let counts = &cost.counts;
+        let search = &counts.search;
+        let [sphere, ellipsoid, cone, solid, plane, polygon] =
+            counts.tests.map(|count| count.tests.to_string());
+        [
+            counts.traced().to_string(),
+            search.bounds.tests.to_string(),
+            search.entered.to_string(),
+            search.cells.to_string(),
+            counts.objects_tested().to_string(),
+            sphere,
+            ellipsoid,
+            cone,
+            solid,
+            plane,
+            polygon,
+            format!("{:.2}", per_ray(counts)),
+            self.share(cost)
+                .map(|share| format!("{share:.2}"))
+                .unwrap_or_default(),
+            format!("{:.6}", cost.building.as_secs_f64()),
+            cost.bytes.to_string(),
+        ]
+    }
+
+    /// The columns of which the table shows something: a kind of test that was not made is left out.
+    fn columns(&self) -> Vec<usize> {
+        let occurs = |column: &usize| {
+            let kind = column.checked_sub(KINDS);
+            let Some(&kind) = kind.and_then(|kind| Counts::TESTS.get(kind)) else {
+                return true;
+            };
+            let mut costs = self.compared.iter().flat_map(|compared| &compared.cost);
+            costs.any(|cost| 0 < tests_of(&cost.counts, kind))
+        };
+        (0..COLUMNS.len()).filter(occurs).collect()
+    }
+
+    /// What was traced: the scene, its size, the picture or the pixel.
+    pub fn title(&self) -> String {
+        let scene = self.scene;
+        let [width, height] = scene.camera.pixels;
+        let name = match scene.name.as_str() {
+            "" => String::new(),
+            name => format!("{}: ", printable(name)),
+        };
+        let objects = match scene.primitives.len() {
+            1 => "1 object".into(),
+            count => format!("{} objects", grouped(count as u64)),
+        };
+        match self.pixel {
+            None => format!("{name}{objects}, {width} × {height} pixels"),
+            Some([x, y]) => format!("{name}{objects}, pixel {x},{y} of {width} × {height}"),
+        }
+    }
+
+    /// The table, and what was computed in advance.
+    pub fn text(&self) -> String {
+        let columns = self.columns();
+        let mut table = vec![vec!["strategy".to_owned()]];
+        table[0].extend(columns.iter().map(|&column| COLUMNS[column].0.into()));
+        for compared in &self.compared {
+            let mut row = vec![compared.name()];
+            match &compared.cost {
+                Ok(cost) => {
+                    let cells = self.cells(cost);
+                    row.extend(columns.iter().map(|&column| cells[column].clone()));
+                }
+                Err(why) => row.push(format!("not built: {why}")),
+            }
+            table.push(row);
+        }
+        let advance = self.in_advance_lines();
+        let mut text = format!("{}\n\n{}", self.title(), aligned(&table));
+        if !advance.is_empty() {
+            text += "\ncomputed in advance\n";
+            text += &advance.join("\n");
+            text.push('\n');
+        }
+        text
+    }
+
+    /// Each strategy for which something was computed in advance, and under it what.
+    fn in_advance_lines(&self) -> Vec<String> {
+        let mut lines = Vec::new();
+        for compared in &self.compared {
+            let Ok(cost) = &compared.cost else { continue };
+            let list = in_advance(self.scene, &compared.settings, &cost.counts);
+            if list.is_empty() {
+                continue;
+            }
+            lines.push(format!("  {}", compared.name()));
+            let told = in_advance_text(&list);
+            lines.extend(told.lines().map(|line| format!("    {line}")));
+        }
+        lines
+    }
+
+    /// Everything as JSON, with the full counts of each strategy.
+    pub fn json(&self) -> Value {
+        let strategies = self.compared.iter().map(|compared| {
+            let Settings {
+                strategy,
+                structure,
+                ..
+            } = &compared.settings;
+            let mut entry = json!({
+                "name": compared.name(),
+                "strategy": strategy,
+                "structure": structure,
+            });
+            match &compared.cost {
+                Ok(cost) => {
+                    let counts = &cost.counts;
+                    entry["rays"] = counts.traced().into();
+                    entry["bound_tests"] = counts.search.bounds.tests.into();
+                    entry["nodes"] = counts.search.entered.into();
+                    entry["cells"] = counts.search.cells.into();
+                    entry["object_tests"] = counts.objects_tested().into();
+                    entry["tests_per_ray"] = per_ray(counts).into();
+                    if let Some(share) = self.share(cost) {
+                        entry["share_percent"] = share.into();
+                    }
+                    entry["bytes"] = cost.bytes.into();
+                    entry["seconds"] = json!({
+                        "building": cost.building.as_secs_f64(),
+                        "tracing": cost.tracing.as_secs_f64(),
+                    });
+                    entry["counts"] = counts_json(counts);
+                    let list = in_advance(self.scene, &compared.settings, counts);
+                    entry["in_advance"] = in_advance_json(&list);
+                }
+                Err(why) => entry["error"] = why.to_string().into(),
+            }
+            entry
+        });
+        let strategies: Vec<Value> = strategies.collect();
+        let mut document = json!({
+            "scene": self.scene.name,
+            "objects": self.scene.primitives.len(),
+            "pixels": self.scene.camera.pixels,
+            "max_depth": self.scene.max_depth,
+            "strategies": strategies,
+        });
+        if let Some(pixel) = self.pixel {
+            document["pixel"] = json!(pixel);
+        }
+        if let Some(first) = self.compared.first() {
+            document["transport"] = json!(first.settings.transport);
+            document["through"] = json!(first.settings.through);
+            document["one_sided"] = first.settings.one_sided.into();
+        }
+        document
+    }
+
+    /// A row for each strategy under a row of keys; the same columns for every scene (RFC 4180).
+    pub fn csv(&self) -> String {
+        let keys = COLUMNS.map(|(_, key)| key.to_owned());
+        let mut text = csv_row("strategy", &keys, "error");
+        for compared in &self.compared {
+            let name = compared.name();
+            text += &match &compared.cost {
+                Ok(cost) => csv_row(&name, &self.cells(cost), ""),
+                Err(why) => csv_row(
+                    &name,
+                    &[const { String::new() }; COLUMNS.len()],
+                    &why.to_string(),
+                ),
+            };
+        }
+        text
+    }
+}
+
+/// How many objects a ray was tested against, on average.
+fn per_ray(counts: &Counts) -> f64 {
+    // a picture without rays does not exist; 0 would still be right for it
+    counts.objects_tested() as f64 / counts.traced().max(1) as f64
+}
+
+/// Names to the left, numbers to the right, each column as wide as its widest cell. A row of two cells in a
+/// wider table is a name with a remark.
+fn aligned(table: &[Vec<String>]) -> String {
+    let columns = table.first().map_or(0, Vec::len);
+    let width = |column: usize| {
+        let rows = table
+            .iter()
+            .filter(|row| column == 0 || row.len() == columns);
+        let cells = rows.filter_map(|row| row.get(column));
+        cells.map(|cell| cell.chars().count()).max().unwrap_or(0)
+    };
+    let widths: Vec<usize> = (0..columns).map(width).collect();
+    let mut text = String::new();
+    for row in table {
+        let mut line = String::new();
+        for (column, (cell, width)) in row.iter().zip(&widths).enumerate() {
+            // a remark is longer than its column, and moves nothing
+            let cell = match column {
+                0 => format!("{cell:<width$}"),
+                _ if row.len() < columns => cell.clone(),
+                _ => format!("{cell:>width$}"),
+            };
+            line += &cell;
+            line += "  ";
+        }
+        text += line.trim_end();
+        text.push('\n');
+    }
+    text
+}
+
+/// A row of CSV: cells with commas, quotes or line breaks are quoted (RFC 4180, 2.6 and 2.7).
+fn csv_row(name: &str, cells: &[String], error: &str) -> String {
+    let cells = cells.iter().map(String::as_str);
+    let all = std::iter::once(name).chain(cells).chain([error]);
+    let quoted = all.map(|cell| {
+        if cell.contains([',', '"', '\n', '\r']) {
+            format!("\"{}\"", cell.replace('"', "\"\""))
+        } else {
+            cell.into()
+        }
+    });
+    let row: Vec<String> = quoted.collect();
+    format!("{}\n", row.join(","))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_cell_with_a_comma_or_a_quote_is_quoted() {
+        let cells = ["a, \"b\"".to_owned(), "7".to_owned()];
+        assert_eq!(csv_row("x", &cells, ""), "x,\"a, \"\"b\"\"\",7,\n");
+    }
+
+    #[test]
+    fn numbers_end_in_one_column_and_a_remark_widens_none() {
+        let rows = [
+            vec!["name", "number", "n"],
+            vec!["a", "104857600", "1"],
+            vec!["long name", "not built: a long reason"],
+        ];
+        let table = rows.map(|row| row.into_iter().map(String::from).collect());
+        assert_eq!(
+            aligned(&table),
+            "name          number  n\n\
+             a          104857600  1\n\
+             long name  not built: a long reason\n"
+        );
+    }
+}

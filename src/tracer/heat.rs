@@ -1,0 +1,142 @@
+//! What each pixel cost: the counts of its eye rays, for a heat map.
+
+use crate::trace::{Event, NodeOutcome, Outcome, Purpose, Recorder, Through};
+
+/// What one eye ray cost, with all rays that were sent on from where it led.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Heat {
+    /// Objects tested: a polygon counts once, by its plane.
+    pub tests: u64,
+    /// Bounds tested and nodes entered.
+    pub nodes: u64,
+    /// Cells of the grid visited.
+    pub cells: u64,
+    /// The largest depth of a ray that was traced: 1 for the eye ray, one more for each surface a ray was
+    /// sent on from, shadow rays included.
+    pub depth: u32,
+}
+
+/// What of it is shown?
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+pub enum HeatOf {
+    /// How many object tests the pixel's rays took
+    Tests,
+    /// How many bounds they were tested against and nodes they entered
+    Nodes,
+    /// How many cells of the grid they visited
+    Cells,
+    /// How deep the tree of rays is: 1 for the eye ray alone; shadow rays count
+    Depth,
+}
+
+impl HeatOf {
+    /// What the numbers of the map are.
+    pub fn title(self) -> &'static str {
+        match self {
+            Self::Tests => "object tests per pixel",
+            Self::Nodes => "bound tests and nodes entered per pixel",
+            Self::Cells => "cells visited per pixel",
+            Self::Depth => "depth of the ray tree per pixel",
+        }
+    }
+
+    fn value(self, heat: &Heat) -> f64 {
+        match self {
+            Self::Tests => heat.tests as f64,
+            Self::Nodes => heat.nodes as f64,
+            Self::Cells => heat.cells as f64,
+            Self::Depth => f64::from(heat.depth),
+        }
+    }
+}
+
+/// The eye rays of a scan line, from left to right. A recorder.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct HeatLine {
+    /// One for each eye ray.
+    pub heats: Vec<Heat>,
+    /// Depths of the rays that have started and not ended.
+    open: Vec<u32>,
+}
+
+impl Recorder for HeatLine {
+    const ENABLED: bool = true;
+
+    #[inline]
+    fn note(&mut self, event: impl FnOnce() -> Event) {
+        let event = event();
+        if let Event::Ray(start) = &event {
+            if start.purpose == Purpose::Eye {
+                self.heats.push(Heat::default());
+            }
+            return self.open.push(start.depth);
+        }
+        let Some(heat) = self.heats.last_mut() else {
+            return;
+        };
+        match &event {
+            Event::RayEnd(end) => {
+                let depth = self.open.pop().unwrap_or_default();
+                // beyond the limit it was not traced
+                if end.outcome != Outcome::DepthLimit {
+                    heat.depth = heat.depth.max(depth);
+                }
+            }
+            Event::BoundTest(_) => heat.nodes += 1,
+            Event::Node(visit) => {
+                heat.nodes += u64::from(visit.outcome == NodeOutcome::Entered);
+            }
+            Event::Cell(_) => heat.cells += 1,
+            _ => heat.tests += u64::from(event.object_tested().0),
+        }
+    }
+}
+
+/// One value for each pixel, row by row from the top left, from the scan lines of a picture.
+///
+/// Through the corners a pixel is the mean of its four eye rays, as its colour is.
+pub fn heat_values(lines: &[HeatLine], of: HeatOf, through: Through) -> Vec<f64> {
+    let value = |line: &HeatLine, x: usize| of.value(&line.heats[x]);
+    match through {
+        Through::Centres => {
+            let heats = lines.iter().flat_map(|line| &line.heats);
+            heats.map(|heat| of.value(heat)).collect()
+        }
+        Through::Corners => lines
+            .windows(2)
+            .flat_map(|pair| {
+                let [above, below] = [&pair[0], &pair[1]];
+                // one more eye ray than there are pixels
+                let width = above.heats.len().saturating_sub(1);
+                (0..width).map(move |x| {
+                    let upper = value(above, x) + value(above, x + 1);
+                    (upper + value(below, x) + value(below, x + 1)) / 4.0
+                })
+            })
+            .collect(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn through_the_corners_a_pixel_is_the_mean_of_its_four_eye_rays() {
+        let line = |tests: [u64; 3]| HeatLine {
+            heats: tests
+                .map(|tests| Heat {
+                    tests,
+                    ..Heat::default()
+                })
+                .into(),
+            open: Vec::new(),
+        };
+        let lines = [line([0, 1, 2]), line([4, 8, 16])];
+        // (0 + 1 + 4 + 8)/4 and (1 + 2 + 8 + 16)/4
+        let means = heat_values(&lines, HeatOf::Tests, Through::Corners);
+        assert_eq!(means, [3.25, 6.75]);
+        let own = heat_values(&lines, HeatOf::Tests, Through::Centres);
+        assert_eq!(own, [0.0, 1.0, 2.0, 4.0, 8.0, 16.0]);
+    }
+}

@@ -1,0 +1,229 @@
+//! The bars: well-formed, finite, and nothing lies over anything else.
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::Path;
+
+use raystep::cost_chart;
+use roxmltree::{Document, Node};
+
+use super::{lesson, made_up};
+use crate::cli::run::Folder;
+
+/// No letter is wider, in sizes of the letters (a digit of DejaVu Sans, which is wide, has 0.636).
+const ADVANCE: f64 = 0.65;
+
+/// Left, top, right, bottom.
+type Frame = [f64; 4];
+
+fn attribute(node: Node, name: &str) -> f64 {
+    let text = node
+        .attribute(name)
+        .unwrap_or_else(|| panic!("{name} of {node:?}"));
+    let value: f64 = text.parse().unwrap();
+    assert!(value.is_finite(), "{name} of {node:?}");
+    value
+}
+
+fn size(root: Node) -> f64 {
+    attribute(root, "font-size")
+}
+
+/// The most room that a text can take.
+fn frame(text: Node, size: f64) -> Frame {
+    let letters = text.text().unwrap().chars().count() as f64;
+    let width = letters * ADVANCE * size;
+    let [x, y] = ["x", "y"].map(|name| attribute(text, name));
+    let left = match text.attribute("text-anchor") {
+        None => x,
+        Some("middle") => x - 0.5 * width,
+        Some("end") => x - width,
+        Some(other) => panic!("{other}"),
+    };
+    // from the capitals' top to below the longest letter
+    [left, y - 0.75 * size, left + width, y + 0.25 * size]
+}
+
+fn overlap(a: Frame, b: Frame) -> bool {
+    a[0] < b[2] && b[0] < a[2] && a[1] < b[3] && b[1] < a[3]
+}
+
+#[track_caller]
+fn check(svg: &str) {
+    let document = Document::parse(svg).unwrap();
+    let root = document.root_element();
+    assert_eq!(root.attribute("role"), Some("img"));
+    assert!(
+        !svg.trim_end().contains("\n\n"),
+        "an empty line ends a block of HTML"
+    );
+
+    let all = || root.descendants().filter(Node::is_element);
+    let ids: Vec<&str> = all().filter_map(|node| node.attribute("id")).collect();
+    assert_eq!(
+        ids.iter().collect::<BTreeSet<_>>().len(),
+        ids.len(),
+        "{ids:?}"
+    );
+    let own = root.attribute("id").unwrap();
+    assert!(ids.iter().all(|id| id.starts_with(own)), "{ids:?}");
+    let labels = root.attribute("aria-labelledby").unwrap();
+    assert!(labels.split(' ').all(|id| ids.contains(&id)), "{labels}");
+
+    let view: Vec<f64> = root
+        .attribute("viewBox")
+        .unwrap()
+        .split(' ')
+        .map(|n| n.parse().unwrap())
+        .collect();
+    let size = size(root);
+    assert!(14.0 * view[2] / 760.0 <= size);
+    let texts: Vec<(String, Frame)> = all()
+        .filter(|node| node.has_tag_name("text"))
+        .map(|node| (node.text().unwrap().into(), frame(node, size)))
+        .collect();
+    let mut drawn: Vec<(String, Frame)> = Vec::new();
+    for node in all() {
+        match node.tag_name().name() {
+            "line" => {
+                let [x1, y1, x2, y2] = ["x1", "y1", "x2", "y2"].map(|name| attribute(node, name));
+                drawn.push((
+                    "a line".into(),
+                    [x1.min(x2), y1.min(y2), x1.max(x2), y1.max(y2)],
+                ));
+            }
+            "rect" => {
+                let [x, y, width, height] =
+                    ["x", "y", "width", "height"].map(|name| attribute(node, name));
+                assert!(0.0 < width && 0.0 < height, "{node:?}");
+                // all but the ground
+                if width < view[2] {
+                    drawn.push(("a bar".into(), [x, y, x + width, y + height]));
+                }
+            }
+            _ => {}
+        }
+    }
+    for (i, (text, frame)) in texts.iter().enumerate() {
+        let inside =
+            0.0 <= frame[0] && 0.0 <= frame[1] && frame[2] <= view[2] && frame[3] <= view[3];
+        assert!(inside, "{text} lies outside: {frame:?}");
+        for (other, with) in drawn.iter().chain(&texts[..i]) {
+            assert!(
+                !overlap(*frame, *with),
+                "{text} {frame:?} lies over {other} {with:?}"
+            );
+        }
+    }
+    for (what, frame) in &drawn {
+        let inside =
+            0.0 <= frame[0] && 0.0 <= frame[1] && frame[2] <= view[2] && frame[3] <= view[3];
+        assert!(inside, "{what} lies outside: {frame:?}");
+    }
+}
+
+#[test]
+fn a_chart_is_well_formed_and_nothing_overlaps_whatever_the_counts() {
+    let scene = lesson();
+    for numbers in [
+        vec![
+            [104_857_600, 0],
+            [1, 9],
+            [0, 0],
+            [10, 11],
+            [99, 100],
+            [7, 7],
+            [1, 1],
+            [2, 3],
+            [1000, 999],
+        ],
+        vec![[0, 0]],
+        vec![[1, 0]],
+        vec![[u64::MAX / 2, 1], [3, u64::MAX]],
+        vec![],
+    ] {
+        check(&cost_chart("a-chart", &made_up(&scene, &numbers)));
+    }
+}
+
+#[test]
+fn the_numbers_of_the_command_are_in_the_drawing() {
+    let folder = Folder::with_scene();
+    let words = "compare scene.json --pixels 16,12 --format json --chart c.svg";
+    let json: serde_json::Value = serde_json::from_slice(&folder.run(words).well()).unwrap();
+    let svg = String::from_utf8(folder.read("c.svg")).unwrap();
+    check(&svg);
+    let document = Document::parse(&svg).unwrap();
+    let texts: Vec<&str> = document
+        .descendants()
+        .filter(|n| n.has_tag_name("text"))
+        .filter_map(|n| n.text())
+        .collect();
+    let description = document
+        .descendants()
+        .find(|n| n.has_tag_name("desc"))
+        .unwrap();
+    for entry in json["strategies"].as_array().unwrap() {
+        let name = entry["name"].as_str().unwrap();
+        let at = texts.iter().position(|text| *text == name).unwrap();
+        let number = |text: &str| text.replace(' ', "").parse::<u64>().unwrap();
+        let searched = ["bound_tests", "nodes", "cells"].map(|key| entry[key].as_u64().unwrap());
+        assert_eq!(
+            number(texts[at + 1]),
+            entry["object_tests"].as_u64().unwrap(),
+            "{name}"
+        );
+        assert_eq!(
+            number(texts[at + 2]),
+            searched.iter().sum::<u64>(),
+            "{name}"
+        );
+        let told = format!(
+            "{name}: {} object tests; {} bound tests",
+            texts[at + 1],
+            texts[at + 2]
+        );
+        assert!(description.text().unwrap().contains(&told), "{told}");
+    }
+    let again = folder.run("compare scene.json --pixels 16,12 --chart d.svg --threads 1");
+    assert_eq!(again.code, Some(0));
+    assert!(folder.read("d.svg") == svg.as_bytes());
+}
+
+#[test]
+fn bars_grow_by_equal_steps_for_each_power_of_ten() {
+    let scene = lesson();
+    let svg = cost_chart(
+        "c",
+        &made_up(&scene, &[[1, 0], [10, 0], [100, 0], [1000, 0]]),
+    );
+    let document = Document::parse(&svg).unwrap();
+    let full = document
+        .descendants()
+        .filter(|n| n.attribute("class") == Some("c-full"));
+    // the first one is the legend's
+    let widths: Vec<f64> = full.skip(1).map(|bar| attribute(bar, "width")).collect();
+    assert_eq!(widths.len(), 4);
+    let steps: Vec<f64> = widths.windows(2).map(|pair| pair[1] - pair[0]).collect();
+    // numbers in a drawing are rounded to hundredths
+    assert!(
+        steps.iter().all(|step| (step - steps[0]).abs() <= 0.02),
+        "{steps:?}"
+    );
+    assert!(0.0 < steps[0]);
+}
+
+#[test]
+fn one_file_alone_names_the_crate_that_writes_svg() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/figure");
+    for entry in fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        let text = fs::read_to_string(&path).unwrap();
+        assert_eq!(
+            text.contains("svg::"),
+            path.ends_with("canvas.rs"),
+            "{}",
+            path.display()
+        );
+    }
+}
