@@ -82,11 +82,12 @@ pub use structure::{
 };
 pub use trace::{
     Aligned, AlignedPart, BoundOutcome, BoundTest, Bounded, Budget, CellVisit, Counts, Event,
-    Filter, GridEnter, GridExit, HitOutsideCell, Item, Kind, Kinds, LightTerm, LineSink, LogError,
-    LogNames, LogReader, Nearest, NodeOutcome, NodeVisit, Off, Outcome, PixelColour, PixelSample,
-    Purpose, QueueAction, QueueStep, RayCount, RayEnd, RayNode, RayStart, RayTree, Record,
-    Recorder, Recording, Region, Settings, Shade, Sink, SlabTest, StrategyName, TestCount, Through,
-    Transport, Visibility, WalkEnd, ZSort, begins_log, scene_schema, trace_schema, write_log_head,
+    EventBlocks, Filter, GridEnter, GridExit, HitOutsideCell, Item, Kind, Kinds, LightTerm,
+    LineSink, LogError, LogNames, LogReader, Nearest, NodeOutcome, NodeVisit, Off, Outcome,
+    PixelColour, PixelSample, Purpose, QueueAction, QueueStep, RayCount, RayEnd, RayNode, RayStart,
+    RayTree, Record, Recorder, Recording, Region, Settings, Shade, Sink, SlabTest, StrategyName,
+    TestCount, Through, Transport, Visibility, WalkEnd, ZSort, begins_log, scene_schema,
+    trace_schema, write_log_head,
 };
 pub use tracer::{
     EPSILON, Heat, HeatLine, HeatOf, LogOptions, LogStopped, Picture, Tracer, eye_samples,

@@ -9,6 +9,9 @@ use serde_json::{Value, json};
 
 use crate::scene::PrimitiveId;
 use crate::trace::flat_json::Json;
+use crate::trace::number_texts::NumberTexts;
+use crate::trace::scanner::Scanner;
+use crate::trace::{Event, Record};
 
 /// Something with fields in a log line.
 pub(super) trait Fields {
@@ -48,26 +51,53 @@ pub(super) trait Visitor {
     fn fail(&mut self, why: &'static str);
 }
 
+/// What a record adds to its event: where it belongs.
+impl Fields for Record {
+    #[inline]
+    fn fields<V: Visitor>(&mut self, v: &mut V) {
+        v.field("step", "", &mut self.step);
+        // what is built is built before the first pixel
+        if !self.event.kind().is_of_building() {
+            let mut pixel = self.pixel.unwrap_or_default();
+            v.field("pixel", "", &mut pixel);
+            self.pixel = Some(pixel);
+        }
+        v.optional("ray", "", &mut self.ray);
+        if let Event::Ray(_) = self.event {
+            v.optional("parent", "", &mut self.parent);
+        }
+        self.event.fields(v);
+        if let Event::Pixel(sample) = &mut self.event {
+            sample.pixel = self.pixel.unwrap_or_default();
+        }
+    }
+}
+
 /// A value of a field, in JSON a scalar or a short list of numbers.
 pub(super) trait Field: Copy + Default {
     /// Appends the value as JSON; `false` if it has none (a number that is not finite).
-    fn write(&self, line: &mut Vec<u8>) -> bool;
+    fn write(&self, texts: &mut NumberTexts, line: &mut Vec<u8>) -> bool;
 
     /// Takes the value from JSON; `Err` says what was expected.
     fn read(json: &Json<'_>) -> Result<Self, String>;
+
+    /// Takes the value from where the scanner stands; `None` if there is no such value as
+    /// [`Field::write`] writes.
+    fn scan(scanner: &mut Scanner<'_>) -> Option<Self>;
 
     /// Its JSON Schema.
     fn schema() -> Value;
 }
 
 impl Field for f64 {
+    // apart, so that what is around it is small enough to stand where its key is known
     #[inline]
-    fn write(&self, line: &mut Vec<u8>) -> bool {
+    fn write(&self, texts: &mut NumberTexts, line: &mut Vec<u8>) -> bool {
         if !self.is_finite() {
             return false;
         }
-        // writing to a Vec cannot fail
-        serde_json::to_writer(line, self).is_ok()
+        texts.append(*self, line);
+        true
     }
 
     fn read(json: &Json<'_>) -> Result<Self, String> {
@@ -77,6 +107,11 @@ impl Field for f64 {
         }
     }
 
+    #[inline]
+    fn scan(scanner: &mut Scanner<'_>) -> Option<Self> {
+        scanner.number()
+    }
+
     fn schema() -> Value {
         json!({ "type": "number" })
     }
@@ -84,8 +119,16 @@ impl Field for f64 {
 
 impl Field for u32 {
     #[inline]
-    fn write(&self, line: &mut Vec<u8>) -> bool {
-        serde_json::to_writer(line, self).is_ok()
+    fn write(&self, _: &mut NumberTexts, line: &mut Vec<u8>) -> bool {
+        // steps, pixels, rays and faces are short: so many bytes are one copy
+        let digit = |place: Self| b'0' + (*self / place % 10) as u8;
+        match *self {
+            0..10 => line.push(digit(1)),
+            10..100 => line.extend_from_slice(&[digit(10), digit(1)]),
+            100..1000 => line.extend_from_slice(&[digit(100), digit(10), digit(1)]),
+            _ => line.extend_from_slice(itoa::Buffer::new().format(*self).as_bytes()),
+        }
+        true
     }
 
     fn read(json: &Json<'_>) -> Result<Self, String> {
@@ -99,13 +142,18 @@ impl Field for u32 {
         }
     }
 
+    #[inline]
+    fn scan(scanner: &mut Scanner<'_>) -> Option<Self> {
+        scanner.whole_number()
+    }
+
     fn schema() -> Value {
         json!({ "type": "integer", "minimum": 0, "maximum": Self::MAX })
     }
 }
 
 impl Field for bool {
-    fn write(&self, line: &mut Vec<u8>) -> bool {
+    fn write(&self, _: &mut NumberTexts, line: &mut Vec<u8>) -> bool {
         line.extend_from_slice(if *self { b"true" } else { b"false" });
         true
     }
@@ -117,8 +165,71 @@ impl Field for bool {
         }
     }
 
+    #[inline]
+    fn scan(scanner: &mut Scanner<'_>) -> Option<Self> {
+        if scanner.take("true") {
+            return Some(true);
+        }
+        scanner.take("false").then_some(false)
+    }
+
     fn schema() -> Value {
         json!({ "type": "boolean" })
+    }
+}
+
+/// Writes a list, or nothing and `false` if an item cannot be written.
+#[inline]
+fn write_list(items: &[impl Field], texts: &mut NumberTexts, line: &mut Vec<u8>) -> bool {
+    let start = line.len();
+    for (i, item) in items.iter().enumerate() {
+        line.push(if i == 0 { b'[' } else { b',' });
+        if !item.write(texts, line) {
+            line.truncate(start);
+            return false;
+        }
+    }
+    line.push(b']');
+    true
+}
+
+/// Takes a list of that many items.
+#[inline]
+fn scan_list<T: Field, const N: usize>(scanner: &mut Scanner<'_>) -> Option<[T; N]> {
+    let mut items = [T::default(); N];
+    for (i, item) in items.iter_mut().enumerate() {
+        if !scanner.take(if i == 0 { "[" } else { "," }) {
+            return None;
+        }
+        *item = T::scan(scanner)?;
+    }
+    scanner.take("]").then_some(items)
+}
+
+/// A pixel or a cell.
+impl<const N: usize> Field for [u32; N]
+where
+    [u32; N]: Default,
+    [f64; N]: Default,
+{
+    fn write(&self, texts: &mut NumberTexts, line: &mut Vec<u8>) -> bool {
+        write_list(self, texts, line)
+    }
+
+    fn read(json: &Json<'_>) -> Result<Self, String> {
+        let mut whole = Self::default();
+        for (to, value) in whole.iter_mut().zip(<[f64; N]>::read(json)?) {
+            *to = u32::read(&Json::Number(value))?;
+        }
+        Ok(whole)
+    }
+
+    fn scan(scanner: &mut Scanner<'_>) -> Option<Self> {
+        scan_list(scanner)
+    }
+
+    fn schema() -> Value {
+        json!({ "type": "array", "items": u32::schema(), "minItems": N, "maxItems": N })
     }
 }
 
@@ -126,17 +237,8 @@ impl<const N: usize> Field for [f64; N]
 where
     [f64; N]: Default,
 {
-    fn write(&self, line: &mut Vec<u8>) -> bool {
-        let start = line.len();
-        for (i, value) in self.iter().enumerate() {
-            line.push(if i == 0 { b'[' } else { b',' });
-            if !value.write(line) {
-                line.truncate(start);
-                return false;
-            }
-        }
-        line.push(b']');
-        true
+    fn write(&self, texts: &mut NumberTexts, line: &mut Vec<u8>) -> bool {
+        write_list(self, texts, line)
     }
 
     fn read(json: &Json<'_>) -> Result<Self, String> {
@@ -147,43 +249,26 @@ where
         }
     }
 
+    fn scan(scanner: &mut Scanner<'_>) -> Option<Self> {
+        scan_list(scanner)
+    }
+
     fn schema() -> Value {
         json!({ "type": "array", "items": { "type": "number" }, "minItems": N, "maxItems": N })
     }
 }
 
-impl Field for [u32; 3] {
-    fn write(&self, line: &mut Vec<u8>) -> bool {
-        for (i, value) in self.iter().enumerate() {
-            line.push(if i == 0 { b'[' } else { b',' });
-            value.write(line);
-        }
-        line.push(b']');
-        true
-    }
-
-    fn read(json: &Json<'_>) -> Result<Self, String> {
-        let expected = || "a list of 3 whole numbers of 0 or more".to_string();
-        let values = <[f64; 3]>::read(json).map_err(|_| expected())?;
-        let mut whole = [0; 3];
-        for (to, value) in whole.iter_mut().zip(values) {
-            *to = u32::read(&Json::Number(value)).map_err(|_| expected())?;
-        }
-        Ok(whole)
-    }
-
-    fn schema() -> Value {
-        json!({ "type": "array", "items": u32::schema(), "minItems": 3, "maxItems": 3 })
-    }
-}
-
 impl Field for DVec3 {
-    fn write(&self, line: &mut Vec<u8>) -> bool {
-        self.to_array().write(line)
+    fn write(&self, texts: &mut NumberTexts, line: &mut Vec<u8>) -> bool {
+        self.to_array().write(texts, line)
     }
 
     fn read(json: &Json<'_>) -> Result<Self, String> {
         <[f64; 3]>::read(json).map(Self::from)
+    }
+
+    fn scan(scanner: &mut Scanner<'_>) -> Option<Self> {
+        <[f64; 3]>::scan(scanner).map(Self::from)
     }
 
     fn schema() -> Value {
@@ -192,12 +277,16 @@ impl Field for DVec3 {
 }
 
 impl Field for DVec2 {
-    fn write(&self, line: &mut Vec<u8>) -> bool {
-        self.to_array().write(line)
+    fn write(&self, texts: &mut NumberTexts, line: &mut Vec<u8>) -> bool {
+        self.to_array().write(texts, line)
     }
 
     fn read(json: &Json<'_>) -> Result<Self, String> {
         <[f64; 2]>::read(json).map(Self::from)
+    }
+
+    fn scan(scanner: &mut Scanner<'_>) -> Option<Self> {
+        <[f64; 2]>::scan(scanner).map(Self::from)
     }
 
     fn schema() -> Value {
@@ -209,17 +298,14 @@ impl Field for DVec2 {
 pub(super) trait Word: Copy + Default + PartialEq + 'static {
     /// Each value with its word.
     const WORDS: &'static [(Self, &'static str)];
+
+    /// The word of this value between quotation marks.
+    fn quoted(self) -> &'static str;
 }
 
 impl<W: Word> Field for W {
-    fn write(&self, line: &mut Vec<u8>) -> bool {
-        let word = W::WORDS.iter().find(|(value, _)| value == self);
-        let Some((_, word)) = word else {
-            return false;
-        };
-        line.push(b'"');
-        line.extend_from_slice(word.as_bytes());
-        line.push(b'"');
+    fn write(&self, _: &mut NumberTexts, line: &mut Vec<u8>) -> bool {
+        line.extend_from_slice(self.quoted().as_bytes());
         true
     }
 
@@ -232,6 +318,13 @@ impl<W: Word> Field for W {
             let words: Vec<_> = W::WORDS.iter().map(|(_, word)| *word).collect();
             format!("one of {}", words.join(", "))
         })
+    }
+
+    #[inline]
+    fn scan(scanner: &mut Scanner<'_>) -> Option<Self> {
+        let text = scanner.plain_text()?;
+        let found = W::WORDS.iter().find(|(_, word)| *word == text);
+        found.map(|(value, _)| *value)
     }
 
     fn schema() -> Value {

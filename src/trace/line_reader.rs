@@ -1,11 +1,11 @@
 //! One line of a log back into a record, or the first thing that is wrong with it.
 
-use std::collections::HashMap;
-
-use crate::scene::{PrimitiveId, Scene, nearest_name};
+use crate::scene::{PrimitiveId, nearest_name};
 use crate::trace::fields::{Field, Fields, Visitor};
 use crate::trace::flat_json::{FlatJson, Json};
-use crate::trace::{Event, Kind, LogError, Record};
+use crate::trace::line_scanner::scan_event;
+use crate::trace::name_table::NameTable;
+use crate::trace::{Kind, LogError, Record};
 
 /// What is wrong in a line.
 pub(super) struct Damage {
@@ -43,36 +43,16 @@ impl Damage {
     }
 }
 
-/// The numbers that belong to the names of a scene.
-#[derive(Debug)]
-pub(super) struct NameTable {
-    /// For each object its first primitive, how many it has, and whether they are faces of a mesh.
-    objects: HashMap<String, (u32, u32, bool)>,
-    /// For each object its place in the scene.
-    places: HashMap<String, u32>,
-    lights: HashMap<String, u32>,
-}
-
-impl NameTable {
-    /// The names of this scene.
-    pub(super) fn new(scene: &Scene) -> Self {
-        let objects = scene.objects.iter();
-        let lights = scene.lights.iter().enumerate();
-        Self {
-            objects: objects
-                .map(|o| (o.name.clone(), (o.first.0, o.count, o.is_mesh)))
-                .collect(),
-            places: (0..)
-                .zip(&scene.objects)
-                .map(|(place, o)| (o.name.clone(), place))
-                .collect(),
-            lights: lights.map(|(i, l)| (l.name.clone(), i as u32)).collect(),
-        }
+/// The record that a line holds.
+pub(super) fn parse_event(line: &[u8], names: &NameTable) -> Result<Record, Damage> {
+    match scan_event(line, names) {
+        Some(record) => Ok(record),
+        None => read_event(line, names),
     }
 }
 
-/// The record that a line holds.
-pub(super) fn parse_event(line: &[u8], names: &NameTable) -> Result<Record, Damage> {
+/// The same for a line whose keys stand in any order, and in whatever form JSON allows.
+pub(super) fn read_event(line: &[u8], names: &NameTable) -> Result<Record, Damage> {
     if line.trim_ascii().is_empty() {
         return Err(Damage::new("the line is empty"));
     }
@@ -93,36 +73,22 @@ pub(super) fn parse_event(line: &[u8], names: &NameTable) -> Result<Record, Dama
         fields,
         damage: None,
     };
-    let mut record = Record {
+    let mut record = blank(kind);
+    reader.fields.take("kind");
+    record.fields(&mut reader);
+    reader.finish(kind)?;
+    Ok(record)
+}
+
+/// A record of this kind with nothing in it.
+pub(super) fn blank(kind: Kind) -> Record {
+    Record {
         pixel: None,
         step: 0,
         ray: None,
         parent: None,
         event: kind.blank(),
-    };
-    reader.fields.take("kind");
-    reader.field("step", "", &mut record.step);
-    if !kind.is_of_building() {
-        let mut place = [0.0; 2];
-        reader.field("pixel", "", &mut place);
-        let mut pixel = [0; 2];
-        for (side, value) in pixel.iter_mut().zip(place) {
-            *side = reader
-                .expect("pixel", u32::read(&Json::Number(value)))
-                .unwrap_or_default();
-        }
-        record.pixel = Some(pixel);
     }
-    reader.optional("ray", "", &mut record.ray);
-    if let Event::Ray(_) = record.event {
-        reader.optional("parent", "", &mut record.parent);
-    }
-    record.event.fields(&mut reader);
-    if let Event::Pixel(sample) = &mut record.event {
-        sample.pixel = record.pixel.unwrap_or_default();
-    }
-    reader.finish(kind)?;
-    Ok(record)
 }
 
 /// Takes each field out of the line; keeps the first thing that is wrong.
@@ -195,21 +161,20 @@ impl Visitor for LineReader<'_> {
         };
         let mut face: Option<u32> = None;
         self.optional(face_key, "", &mut face);
-        let Some(&(first, count, is_mesh)) = self.names.objects.get(&*name) else {
+        let Some(object) = self.names.objects.get(&*name) else {
             return self.wrong(format!("there is no object {name:?}"));
         };
-        match face {
-            Some(face) if is_mesh && face < count => *value = Some(PrimitiveId(first + face)),
-            None if !is_mesh => *value = Some(PrimitiveId(first)),
-            _ => self.wrong(format!("{face_key:?} does not fit the object {name:?}")),
+        *value = object.primitive(face);
+        if value.is_none() {
+            self.wrong(format!("{face_key:?} does not fit the object {name:?}"));
         }
     }
 
     fn whole_object(&mut self, key: &'static str, _: &'static str, value: &mut Option<u32>) {
         *value = None;
         match self.fields.take(key) {
-            Some(Json::Text(name)) => match self.names.places.get(&**name) {
-                Some(&place) => *value = Some(place),
+            Some(Json::Text(name)) => match self.names.objects.get(&**name) {
+                Some(object) => *value = Some(object.place),
                 None => {
                     let what = format!("there is no object {name:?}");
                     self.wrong(what);

@@ -7,7 +7,8 @@ use serde::Serialize;
 use crate::scene::file::{CameraFile, LightFile, Materials, ObjectFile, ShapeFile, SidesFile};
 use crate::scene::{PrimitiveId, Scene, SceneFile};
 use crate::trace::fields::{Field, Fields, Visitor};
-use crate::trace::{Event, Record, Settings, Sink};
+use crate::trace::number_texts::NumberTexts;
+use crate::trace::{Record, Settings, Sink};
 
 /// The version of the log that this program writes and reads.
 pub const LOG_VERSION: u32 = 1;
@@ -140,7 +141,7 @@ impl LogNames {
 /// Makes lines of records and keeps them in one buffer, for their taker to empty.
 #[derive(Clone, Debug)]
 pub struct LineSink<'a> {
-    names: &'a LogNames,
+    writer: EventWriter<'a>,
     /// Whole lines, each with its end.
     pub lines: Vec<u8>,
     /// How many lines were made.
@@ -151,7 +152,7 @@ impl<'a> LineSink<'a> {
     /// An empty buffer.
     pub fn new(names: &'a LogNames) -> Self {
         Self {
-            names,
+            writer: EventWriter::new(names),
             lines: Vec::new(),
             count: 0,
         }
@@ -161,44 +162,52 @@ impl<'a> LineSink<'a> {
 impl Sink for LineSink<'_> {
     #[inline]
     fn record(&mut self, record: &Record) {
-        write_event_line(record, self.names, &mut self.lines);
+        self.writer.line(record, &mut self.lines);
         self.count += 1;
     }
 }
 
-/// Appends a record as a line.
-#[inline]
-pub(crate) fn write_event_line(record: &Record, names: &LogNames, lines: &mut Vec<u8>) {
-    write_event(record, names, lines);
-    lines.push(b'\n');
+/// Writes the events of a scene, one after the other.
+#[derive(Clone, Debug)]
+pub(crate) struct EventWriter<'a> {
+    names: &'a LogNames,
+    texts: NumberTexts,
 }
 
-/// Appends a record as one JSON object, without a line's end.
+impl<'a> EventWriter<'a> {
+    /// A writer for the scene of these names.
+    pub(crate) fn new(names: &'a LogNames) -> Self {
+        Self {
+            names,
+            texts: NumberTexts::remembering(),
+        }
+    }
+
+    /// Appends a record as a line.
+    #[inline]
+    pub(crate) fn line(&mut self, record: &Record, lines: &mut Vec<u8>) {
+        object(record, self.names, &mut self.texts, lines);
+        lines.push(b'\n');
+    }
+}
+
+/// Appends a single record as one JSON object, without a line's end.
 pub(crate) fn write_event(record: &Record, names: &LogNames, line: &mut Vec<u8>) {
+    object(record, names, &mut NumberTexts::default(), line);
+}
+
+fn object(record: &Record, names: &LogNames, texts: &mut NumberTexts, line: &mut Vec<u8>) {
     line.extend_from_slice(b"{\"kind\":\"");
     line.extend_from_slice(record.event.kind().name().as_bytes());
-    line.extend_from_slice(b"\",\"step\":");
-    record.step.write(line);
-    // what is built is built before the first pixel
-    if let Some([x, y]) = record.pixel {
-        line.extend_from_slice(b",\"pixel\":[");
-        x.write(line);
-        line.push(b',');
-        y.write(line);
-        line.push(b']');
-    }
-    let mut writer = LineWriter { names, line };
-    writer.optional("ray", "", &mut { record.ray });
-    if matches!(record.event, Event::Ray(_)) {
-        writer.optional("parent", "", &mut { record.parent });
-    }
-    { record.event }.fields(&mut writer);
+    line.push(b'"');
+    { *record }.fields(&mut LineWriter { names, texts, line });
     line.push(b'}');
 }
 
 /// Puts each field into the line.
 struct LineWriter<'a> {
     names: &'a LogNames,
+    texts: &'a mut NumberTexts,
     line: &'a mut Vec<u8>,
 }
 
@@ -217,7 +226,7 @@ impl Visitor for LineWriter<'_> {
         let start = self.line.len();
         self.key(key);
         // infinity has no JSON: the field is absent
-        if !value.write(self.line) {
+        if !value.write(self.texts, self.line) {
             self.line.truncate(start);
         }
     }

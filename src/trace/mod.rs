@@ -2,16 +2,21 @@
 
 mod counts;
 mod event;
+mod event_blocks;
 mod fields;
 mod filter;
 mod flat_json;
 mod kinds;
 mod line_reader;
+mod line_scanner;
 mod log_error;
 mod log_reader;
 mod log_writer;
+mod name_table;
+mod number_texts;
 mod ray_tree;
 mod recorder;
+mod scanner;
 mod schema;
 mod search;
 mod search_kinds;
@@ -23,11 +28,12 @@ pub use event::{
     Event, Kind, LightTerm, Nearest, Outcome, PixelColour, PixelSample, Purpose, RayEnd, RayStart,
     Shade, Visibility,
 };
+pub use event_blocks::EventBlocks;
 pub use filter::{Budget, Filter, Kinds, Region};
 pub use log_error::LogError;
 pub use log_reader::{LogReader, begins_log};
+pub(crate) use log_writer::{EventWriter, write_event};
 pub use log_writer::{LOG_VERSION, LineSink, LogNames, write_log_head};
-pub(crate) use log_writer::{write_event, write_event_line};
 pub use ray_tree::{Item, RayNode, RayTree};
 use recorder::Numbering;
 pub use recorder::{Off, Record, Recorder, Recording, Sink};

@@ -3,7 +3,7 @@
 //! The algorithms mention recording in one line after a step: `recorder.note(|| event)`. With [`Off`]
 //! the compiler removes the line and all that only it needs; there is no flag to test at run time.
 
-use crate::trace::{Event, RayEnd};
+use crate::trace::Event;
 
 /// Hears of every step. A recorder never changes a result.
 pub trait Recorder {
@@ -92,65 +92,99 @@ pub(super) struct Numbering {
     pixel: Option<[u32; 2]>,
     step: u32,
     rays: u32,
-    open: Vec<OpenRay>,
+    /// The ray that events belong to now, and around it those it was sent on from.
+    innermost: OpenRay,
+    around: Vec<OpenRay>,
 }
 
-#[derive(Clone, Copy, Debug)]
+/// A ray that has started and not ended; without a number the pixel itself, around all its rays.
+#[derive(Clone, Copy, Debug, Default)]
 struct OpenRay {
-    id: u32,
+    number: Option<u32>,
     tests: u32,
     hits: u32,
 }
 
+/// Where an event belongs, and what its ray's end must say.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Place {
+    pub(super) pixel: Option<[u32; 2]>,
+    pub(super) step: u32,
+    pub(super) ray: Option<u32>,
+    pub(super) parent: Option<u32>,
+    /// For the end of a ray: the tests that were counted on it, and the hits among them.
+    pub(super) counted: Option<[u32; 2]>,
+}
+
 impl Numbering {
     /// The event with its place, and a ray's end with the tests that were counted on it.
+    #[inline]
     pub(super) fn number(&mut self, mut event: Event) -> Record {
+        let Place {
+            pixel,
+            step,
+            ray,
+            parent,
+            counted,
+        } = self.place(&event);
+        if let (Event::RayEnd(end), Some(counted)) = (&mut event, counted) {
+            [end.tests, end.hits] = counted;
+        }
+        Record {
+            pixel,
+            step,
+            ray,
+            parent,
+            event,
+        }
+    }
+
+    /// The place of the next event.
+    #[inline]
+    pub(super) fn place(&mut self, event: &Event) -> Place {
         let mut parent = None;
-        let mut ray = self.open.last().map(|open| open.id);
-        match &mut event {
+        let mut counted = None;
+        let mut ray = self.innermost.number;
+        match event {
             // numbers start again with each pixel
             Event::Pixel(start) if start.sample == 0 => {
                 self.pixel = Some(start.pixel);
                 self.step = 0;
                 self.rays = 0;
-                self.open.clear();
+                self.innermost = OpenRay::default();
+                self.around.clear();
                 ray = None;
             }
             Event::Ray(_) => {
                 parent = ray;
                 ray = Some(self.rays);
-                self.open.push(OpenRay {
-                    id: self.rays,
-                    tests: 0,
-                    hits: 0,
-                });
+                self.around.push(self.innermost);
+                self.innermost = OpenRay {
+                    number: ray,
+                    ..OpenRay::default()
+                };
                 self.rays += 1;
             }
-            Event::RayEnd(end) => {
-                if let Some(OpenRay { tests, hits, .. }) = self.open.pop() {
-                    *end = RayEnd {
-                        tests,
-                        hits,
-                        ..*end
-                    };
+            Event::RayEnd(_) => {
+                if let Some(around) = self.around.pop() {
+                    counted = Some([self.innermost.tests, self.innermost.hits]);
+                    self.innermost = around;
                 }
             }
             other => {
-                if let Some(open) = self.open.last_mut() {
-                    let (tested, met) = other.object_tested();
-                    open.tests += u32::from(tested);
-                    open.hits += u32::from(met);
-                }
+                let (tested, met) = other.object_tested();
+                self.innermost.tests += u32::from(tested);
+                self.innermost.hits += u32::from(met);
             }
         }
         let step = self.step;
         self.step += 1;
-        Record {
+        Place {
             pixel: self.pixel,
             step,
             ray,
             parent,
-            event,
+            counted,
         }
     }
 }
@@ -202,7 +236,7 @@ mod tests {
     use super::*;
     use crate::geometry::{Fate, QuadraticTest, Root, Roots};
     use crate::scene::PrimitiveId;
-    use crate::trace::{PixelSample, RayStart};
+    use crate::trace::{PixelSample, RayEnd, RayStart};
 
     fn ray() -> Event {
         Event::Ray(RayStart::default())

@@ -13,6 +13,13 @@ macro_rules! words {
     ($type:ident { $($value:ident = $word:literal),+ $(,)? }) => {
         impl Word for $type {
             const WORDS: &'static [(Self, &'static str)] = &[$(($type::$value, $word)),+];
+
+            #[inline]
+            fn quoted(self) -> &'static str {
+                match self {
+                    $($type::$value => concat!("\"", $word, "\"")),+
+                }
+            }
         }
     };
 }

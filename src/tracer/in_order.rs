@@ -11,6 +11,9 @@ use std::sync::{Condvar, Mutex, MutexGuard, PoisonError};
 /// How much a tile keeps before it waits: some thousand lines of a log.
 const KEPT: usize = 1 << 20;
 
+/// More than most lines take: the one that fills a buffer finds room in it.
+const LONG_LINE: usize = 1 << 12;
+
 /// An output that tiles share.
 pub(super) struct InOrder<W> {
     state: Mutex<State<W>>,
@@ -40,7 +43,7 @@ pub(super) struct Tile<'a, W> {
     number: usize,
     shared: &'a InOrder<W>,
     /// Lines that were not written yet, and how many.
-    lines: Vec<u8>,
+    lines: &'a mut Vec<u8>,
     count: u64,
     stopped: bool,
 }
@@ -67,6 +70,8 @@ impl<W: Write + Send> InOrder<W> {
         rayon::scope(|scope| {
             for _ in 0..threads {
                 scope.spawn(|_| {
+                    // one buffer a thread: fresh memory for every tile would cost as much as its lines
+                    let mut lines = Vec::with_capacity(KEPT + LONG_LINE);
                     loop {
                         let number = handed_out.fetch_add(1, Ordering::Relaxed);
                         if tiles <= number || self.lock().stopped.is_some() {
@@ -75,7 +80,7 @@ impl<W: Write + Send> InOrder<W> {
                         work(Tile {
                             number,
                             shared: self,
-                            lines: Vec::new(),
+                            lines: &mut lines,
                             count: 0,
                             stopped: false,
                         });
@@ -106,7 +111,7 @@ impl<W: Write + Send> Tile<'_, W> {
         if self.stopped {
             return;
         }
-        append(&mut self.lines);
+        append(self.lines);
         self.count += 1;
         if KEPT <= self.lines.len() {
             self.write();
@@ -134,7 +139,7 @@ impl<W: Write + Send> Tile<'_, W> {
                 state.stopped = Some(Stopped::Budget);
             } else {
                 state.budget -= self.count;
-                state.stopped = state.out.write_all(&self.lines).err().map(Stopped::Output);
+                state.stopped = state.out.write_all(self.lines).err().map(Stopped::Output);
             }
         }
         self.stopped = state.stopped.is_some();
@@ -146,6 +151,7 @@ impl<W: Write + Send> Tile<'_, W> {
 /// Whatever ends a tile, the next one gets its turn: none waits for one that is gone.
 impl<W> Drop for Tile<'_, W> {
     fn drop(&mut self) {
+        self.lines.clear();
         self.shared.lock().next += 1;
         self.shared.turn.notify_all();
     }

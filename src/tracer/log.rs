@@ -7,7 +7,7 @@ use std::sync::{Mutex, PoisonError};
 
 use crate::strategy::Strategy;
 use crate::trace::{
-    Filter, Kinds, LogNames, Record, Recorder, Recording, Region, Settings, Sink, write_event_line,
+    EventWriter, Filter, Kinds, LogNames, Record, Recorder, Recording, Region, Settings, Sink,
     write_log_head,
 };
 use crate::tracer::in_order::{InOrder, Stopped, Tile};
@@ -33,7 +33,8 @@ pub enum LogStopped {
     Budget,
 }
 
-/// Writes the log of a region: the head, then every pixel's events, scan line by scan line.
+/// Writes the log of a region: the head, how the structure was built if that is wanted, then every pixel's
+/// events, scan line by scan line.
 ///
 /// The scan lines are traced on the threads of the current pool and written in order: the same bytes
 /// on any number of threads, in memory that does not grow with the picture. `done` hears how many
@@ -54,10 +55,26 @@ pub fn write_log<S: Strategy, R: Recorder + Default + Send>(
 ) -> Result<Vec<R>, LogStopped> {
     write_log_head(tracer.scene, settings, &mut out).map_err(LogStopped::Output)?;
     let names = LogNames::new(tracer.scene);
+    let mut budget = options.budget;
+    if settings.building {
+        let mut building = Recording::new(Filter {
+            kinds: options.kinds,
+            region: None,
+            sink: Building {
+                writer: EventWriter::new(&names),
+                lines: Vec::new(),
+                out: &mut out,
+                budget: &mut budget,
+                stopped: None,
+            },
+        });
+        tracer.strategy.note_building(&mut building);
+        building.into_sink().sink.finish()?;
+    }
     let ([left, top], [right, bottom]) = (options.region.from, options.region.to);
     let finished = AtomicUsize::new(0);
 
-    let shared = InOrder::new(&mut out, options.budget);
+    let shared = InOrder::new(&mut out, budget);
     let rows = (bottom - top + 1) as usize;
     let heard = Mutex::new(BTreeMap::new());
     let stopped = shared.run(rows, |tile| {
@@ -67,7 +84,7 @@ pub fn write_log<S: Strategy, R: Recorder + Default + Send>(
             kinds: options.kinds,
             region: None,
             sink: TileSink {
-                names: &names,
+                writer: EventWriter::new(&names),
                 tile,
             },
         });
@@ -96,17 +113,62 @@ pub fn write_log<S: Strategy, R: Recorder + Default + Send>(
     Ok(heard.into_values().collect())
 }
 
+/// Writes how a structure was built, piece by piece.
+struct Building<'a, W> {
+    writer: EventWriter<'a>,
+    lines: Vec<u8>,
+    out: W,
+    budget: &'a mut u64,
+    stopped: Option<LogStopped>,
+}
+
+/// How many bytes of it are kept before they are written.
+const PIECE: usize = 1 << 16;
+
+impl<W: Write> Building<'_, W> {
+    fn write(&mut self) {
+        if let Err(error) = self.out.write_all(&self.lines) {
+            self.stopped = Some(LogStopped::Output(error));
+        }
+        self.lines.clear();
+    }
+
+    fn finish(mut self) -> Result<(), LogStopped> {
+        if self.stopped.is_none() {
+            self.write();
+        }
+        self.stopped.map_or(Ok(()), Err)
+    }
+}
+
+impl<W: Write> Sink for Building<'_, W> {
+    fn record(&mut self, record: &Record) {
+        if self.stopped.is_some() {
+            return;
+        }
+        match self.budget.checked_sub(1) {
+            None => self.stopped = Some(LogStopped::Budget),
+            Some(left) => {
+                *self.budget = left;
+                self.writer.line(record, &mut self.lines);
+                if PIECE <= self.lines.len() {
+                    self.write();
+                }
+            }
+        }
+    }
+}
+
 /// Makes lines of the records of one scan line.
 struct TileSink<'a, W> {
-    names: &'a LogNames,
+    writer: EventWriter<'a>,
     tile: Tile<'a, W>,
 }
 
 impl<W: Write + Send> Sink for TileSink<'_, W> {
     #[inline]
     fn record(&mut self, record: &Record) {
-        let names = self.names;
-        self.tile
-            .line(|lines| write_event_line(record, names, lines));
+        let writer = &mut self.writer;
+        self.tile.line(|lines| writer.line(record, lines));
     }
 }

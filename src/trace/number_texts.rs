@@ -1,0 +1,134 @@
+//! The digits of numbers, remembered.
+//!
+//! To find the shortest digits that read back as the same number takes longer than all else in a
+//! line. Half the numbers of a log have been there before: the coefficients of each plane, the
+//! projected ends of each edge, the origin of a ray, the root that is the hit.
+
+/// How many numbers are remembered: a power of two, and with 32 bytes each what a second-level cache
+/// holds beside the lines.
+const REMEMBERED: usize = 1 << 12;
+
+/// Writes numbers, and knows the texts of some.
+///
+/// [`NumberTexts::default`] remembers none and takes no memory.
+#[derive(Clone, Debug, Default)]
+pub(super) struct NumberTexts {
+    known: Vec<Known>,
+}
+
+/// A number by its bits, and its text.
+#[derive(Clone, Copy, Debug)]
+struct Known {
+    bits: u64,
+    text: [u8; 23],
+    length: u8,
+}
+
+impl NumberTexts {
+    /// Knows none yet and will remember them.
+    pub(super) fn remembering() -> Self {
+        let none = Known {
+            // not a number: never asked for
+            bits: f64::NAN.to_bits(),
+            text: [0; 23],
+            length: 0,
+        };
+        Self {
+            known: vec![none; REMEMBERED],
+        }
+    }
+
+    /// Appends a finite number: the shortest digits that read back as it, and `.0` after a whole one.
+    #[inline]
+    pub(super) fn append(&mut self, value: f64, line: &mut Vec<u8>) {
+        // every fourth number is one digit: a normal's 0.0, a unit direction's a = 1.0
+        let digit = value.abs() as u8;
+        if digit < 10 && f64::from(digit) == value.abs() {
+            if value.is_sign_negative() {
+                line.push(b'-');
+            }
+            line.extend_from_slice(&[b'0' + digit, b'.', b'0']);
+            return;
+        }
+        let bits = value.to_bits();
+        match self.known.get(place(bits)) {
+            Some(known) if known.bits == bits => {
+                // a copy of a fixed length is a few instructions, of any other a call
+                let end = line.len() + usize::from(known.length);
+                line.extend_from_slice(&known.text);
+                line.truncate(end);
+            }
+            _ => self.form(value, line),
+        }
+    }
+
+    /// Appends a number that is not known, and remembers it in the place of another.
+    #[inline(never)]
+    fn form(&mut self, value: f64, line: &mut Vec<u8>) {
+        let mut buffer = zmij::Buffer::new();
+        let text = buffer.format_finite(value).as_bytes();
+        line.extend_from_slice(text);
+        let bits = value.to_bits();
+        if let Some(known) = self.known.get_mut(place(bits))
+            && let Some(start) = known.text.get_mut(..text.len())
+        {
+            start.copy_from_slice(text);
+            known.length = text.len() as u8;
+            known.bits = bits;
+        }
+    }
+}
+
+/// Where a number is remembered: the upper bits of a product with 2⁶⁴/φ, which depend on all of its bits
+/// (Knuth, The Art of Computer Programming, volume 3, section 6.4).
+#[inline]
+fn place(bits: u64) -> usize {
+    let product = bits.wrapping_mul(0x9E37_79B9_7F4A_7C15);
+    (product >> (u64::BITS - REMEMBERED.ilog2())) as usize
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_number_has_the_text_of_serde_json_whether_known_or_not() {
+        let mut values = vec![
+            0.0,
+            -0.0,
+            1.0,
+            -1.0,
+            9.0,
+            10.0,
+            255.0,
+            256.0,
+            0.1,
+            -0.5,
+            1e15,
+            1e16,
+            1e22,
+            1e-5,
+            1e-7,
+            5e-324,
+            -f64::MIN_POSITIVE,
+            f64::MAX,
+            f64::MIN,
+            0.1 + 0.2,
+            1.0 / 3.0,
+        ];
+        // more than are remembered, so that some lose their place
+        values.extend((1..2 * REMEMBERED as u32).map(|i| f64::from(i).sqrt()));
+        let mut remembers = NumberTexts::remembering();
+        let mut forgets = NumberTexts::default();
+        for value in [values.clone(), values].concat() {
+            let expected = serde_json::to_vec(&value).unwrap();
+            for texts in [&mut remembers, &mut forgets] {
+                for _ in 0..2 {
+                    let mut line = Vec::new();
+                    texts.append(value, &mut line);
+                    assert_eq!(line, expected, "{value}");
+                }
+            }
+        }
+    }
+}
