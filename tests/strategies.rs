@@ -287,7 +287,7 @@ fn a_million_rays_meet_the_same_object_at_the_same_t_whatever_the_strategy() {
         let mut random = Seeded::new(seed);
         let scale = [1.0, 1.0, 1e-3, 1e4][random.index(4)];
         let mut numbers = Numbers {
-            lattice: seed % 2 == 0,
+            lattice: seed.is_multiple_of(2),
             random,
             scale,
         };

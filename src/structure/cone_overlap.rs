@@ -7,32 +7,64 @@ use crate::geometry::Cone;
 /// Does the solid cone, its ends closed, touch the box? `false` only if a plane is found between them.
 ///
 /// A plane with normal n lies between two convex solids A and B if every point of A − B is in front of it:
-/// min n·(a − b) > 0. E. Gilbert's algorithm (1966) looks for it by going towards the point of A − B that is
-/// closest to 0: from a point v of A − B to the closest point of the segment from v to w, where w is the
-/// furthest of A − B against v. As soon as v·w > 0, v is such a normal.
+/// min n·(a − b) > 0. It is looked for as E. Gilbert does (1966), by going towards the point of A − B that is
+/// closest to 0: from a point v of A − B with the furthest w of A − B against v. As soon as v·w > 0, v is such
+/// a normal; else the next v is the point closest to 0 of the triangle of v, w and the w before, which comes
+/// closer much faster than the segment from v to w alone.
 pub(super) fn cone_touches(cone: &Cone, min: DVec3, max: DVec3) -> bool {
-    /// It comes closer with each step, and slowly where they nearly touch; a cell too many does no harm.
+    /// A few steps find a plane; where the two nearly touch, a cell too many does no harm.
     const STEPS: usize = 64;
     let furthest =
         |n: DVec3| furthest_of_cone(cone, n) - DVec3::select(n.cmplt(DVec3::ZERO), max, min);
     let mut v = 0.5 * (cone.base() + cone.apex()) - 0.5 * (min + max);
+    let mut before = v;
     for _ in 0..STEPS {
         let w = furthest(-v);
         if 0.0 < v.dot(w) {
             return false;
         }
-        let step = w - v;
-        let length2 = step.length_squared();
-        let share = (-v.dot(step) / length2).clamp(0.0, 1.0);
-        let closer = v + share * step;
+        let closer = closest_to_zero([v, w, before]);
         let is_closer = closer.length_squared() < v.length_squared();
         if !is_closer {
             // 0 is reached, or nothing is gained
             return true;
         }
-        v = closer;
+        (v, before) = (closer, w);
     }
     true
+}
+
+/// The point of a triangle that is closest to 0 (C. Ericson 2005, Real-Time Collision Detection, §5.1.5): a
+/// corner, a point of an edge, or one inside, by the region that 0 lies in.
+fn closest_to_zero([a, b, c]: [DVec3; 3]) -> DVec3 {
+    let (ab, ac) = (b - a, c - a);
+    let (ab_a, ac_a) = (ab.dot(-a), ac.dot(-a));
+    if ab_a <= 0.0 && ac_a <= 0.0 {
+        return a;
+    }
+    let (ab_b, ac_b) = (ab.dot(-b), ac.dot(-b));
+    if 0.0 <= ab_b && ac_b <= ab_b {
+        return b;
+    }
+    let (ab_c, ac_c) = (ab.dot(-c), ac.dot(-c));
+    if 0.0 <= ac_c && ab_c <= ac_c {
+        return c;
+    }
+    // the areas of the triangles that 0, seen from across, makes with the edges
+    let of_c = ab_a * ac_b - ab_b * ac_a;
+    if of_c <= 0.0 && 0.0 <= ab_a && ab_b <= 0.0 {
+        return a + ab_a / (ab_a - ab_b) * ab;
+    }
+    let of_b = ab_c * ac_a - ab_a * ac_c;
+    if of_b <= 0.0 && 0.0 <= ac_a && ac_c <= 0.0 {
+        return a + ac_a / (ac_a - ac_c) * ac;
+    }
+    let of_a = ab_b * ac_c - ab_c * ac_b;
+    let (from_b, from_c) = (ac_b - ab_b, ab_c - ac_c);
+    if of_a <= 0.0 && 0.0 <= from_b && 0.0 <= from_c {
+        return b + from_b / (from_b + from_c) * (c - b);
+    }
+    a + (of_b * ab + of_c * ac) / (of_a + of_b + of_c)
 }
 
 /// The point of the solid cone that is furthest along n: on one of its two rims.
@@ -57,6 +89,17 @@ mod tests {
         // radius 5 at y = 0, tip at y = 10
         let cone = Cone::new(DVec3::ZERO, 5.0, DVec3::new(0.0, 10.0, 0.0), 0.0).unwrap();
         assert_eq!(cone_touches(&cone, min.into(), max.into()), expected);
+    }
+
+    #[test]
+    fn the_closest_point_of_a_triangle_is_a_corner_or_on_an_edge_or_inside() {
+        let closest = |corners: [[f64; 3]; 3]| closest_to_zero(corners.map(DVec3::from));
+        let inside = [[-1.0, -1.0, 2.0], [3.0, -1.0, 2.0], [-1.0, 3.0, 2.0]];
+        assert!((closest(inside) - DVec3::new(0.0, 0.0, 2.0)).length() <= 1e-15);
+        let beside_an_edge = [[1.0, -1.0, 0.0], [1.0, 3.0, 0.0], [5.0, 0.0, 0.0]];
+        assert_eq!(closest(beside_an_edge), DVec3::X);
+        let before_a_corner = [[1.0, 1.0, 0.0], [5.0, 1.0, 0.0], [1.0, 5.0, 0.0]];
+        assert_eq!(closest(before_a_corner), DVec3::new(1.0, 1.0, 0.0));
     }
 
     #[test]

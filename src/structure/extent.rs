@@ -10,7 +10,8 @@ use crate::scene::Shape;
 /// hundredfold where the ray meets the surface flatly. With 10⁻¹⁰ no bound cuts a hit off.
 pub(super) const ROUNDING: f64 = 1e-10;
 
-/// The smallest and the largest n·p over the points p of the shape, widened by [`ROUNDING`].
+/// The smallest and the largest n·p over the points p of the shape, widened by 10⁻¹⁰ of its
+/// coordinates.
 ///
 /// n is of unit length. A slab's planes are n·p + D = 0, so D_min = −largest and D_max = −smallest
 /// (erratum 5).

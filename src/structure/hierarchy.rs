@@ -46,7 +46,7 @@ pub enum Link {
         /// How many.
         count: u32,
     },
-    /// Objects, which stand one after the other in [`Hierarchy::objects`].
+    /// Objects, which stand one after the other in [`Hierarchy::order`].
     Objects {
         /// The first of them.
         first: u32,

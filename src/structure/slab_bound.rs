@@ -103,7 +103,7 @@ fn smaller(a: f64, b: f64) -> f64 {
 /// S and T of a ray for each direction of a set: computed once for all bounds.
 ///
 /// Every slab is met a little wider than it is, so that rounding cuts off no hit that an object's own test
-/// finds: S has [`ROOM`] for either plane.
+/// finds: S has room for either plane, 2·10⁻¹⁰ of the coordinates.
 #[derive(Clone, Copy, Debug)]
 pub struct RaySlabs<const N: usize> {
     /// S, less the room: for the plane of D_min.

@@ -107,7 +107,7 @@ impl<const N: usize> Volume<N> {
     ///
     /// Both t can be negative: the near one of a ray that starts inside. There is some room on both sides,
     /// as [`RaySlabs`] has it: the rounding of a test grows with the distance that the ray comes from, and
-    /// spheres and ellipsoids grow by [`ROOM`] of that.
+    /// spheres and ellipsoids grow by 2·10⁻¹⁰ of that.
     ///
     /// `tell` hears of each slab of [`Volume::Slabs`], with the largest near and the smallest far up to it.
     #[inline]

@@ -77,12 +77,6 @@ impl Solution<'_> {
         ));
     }
 
-    /// An object on the cell's list.
-    pub(super) fn listed(&mut self, object: PrimitiveId) {
-        // its test follows, or its mailbox does
-        let _ = object;
-    }
-
     /// An object that was tested in an earlier cell.
     pub(super) fn mailbox(&mut self, object: PrimitiveId) {
         let name = self.name(object);
@@ -102,7 +96,7 @@ impl Solution<'_> {
     }
 
     /// Why the walk ended.
-    pub(super) fn grid_exit(&mut self, exit: &GridExit) {
+    pub(super) fn grid_exit(&mut self, exit: GridExit) {
         let cells = count(exit.cells as usize, "cell");
         let (tone, text) = match exit.end {
             WalkEnd::HitInCell => (

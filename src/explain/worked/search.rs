@@ -20,13 +20,13 @@ impl Solution<'_> {
             Event::Queue(step) => self.queue(step),
             Event::GridEnter(enter) => self.grid_enter(enter),
             Event::Cell(cell) => self.cell(cell),
-            Event::Listed { object } => self.listed(*object),
             Event::Mailbox { object } => self.mailbox(*object),
             Event::HitOutsideCell(hit) => self.hit_outside_cell(hit),
-            Event::GridExit(exit) => self.grid_exit(exit),
+            Event::GridExit(exit) => self.grid_exit(*exit),
             Event::Align(frame) => self.align(frame),
             Event::Aligned(point) => self.aligned(point),
             Event::ZSort(sorted) => self.z_sort(sorted, course),
+            // what is listed is tested next, or has been; the rest is told elsewhere
             _ => {}
         }
     }
