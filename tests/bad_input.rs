@@ -7,6 +7,7 @@
 mod arguments;
 mod nff_and_obj;
 mod scenes;
+mod structures;
 mod targets;
 
 use crate::cli::run::{Folder, SCENE};

@@ -1,6 +1,7 @@
 //! The command does what its help says: files, threads, pipes.
 
 pub(crate) mod run;
+pub(crate) mod strategies;
 
 mod logs;
 #[cfg(unix)]

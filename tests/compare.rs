@@ -293,7 +293,7 @@ fn long_counts_of_the_search_end_under_the_other_numbers() {
 fn a_structure_that_cannot_be_built_is_told_and_the_others_go_on() {
     let parallel = TWO_BALLS.replacen('{', r#"{ "slabs": [[1, 0, 0], [2, 0, 0], [0, 0, 1]],"#, 1);
     let folder = Folder::empty().with("s.json", parallel);
-    let why = "directions 0 and 1 of the slabs are parallel; leave one of them out";
+    let why = "slabs[0] and slabs[1] of the scene are parallel; leave one of them out";
     let text = text_of(&folder, "compare s.json --chart c.svg");
     assert!(
         text.contains(&format!("own slabs  not built: {why}\n")),

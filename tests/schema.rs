@@ -7,6 +7,7 @@ use raystep::{Kind, scene_schema, trace_schema};
 use serde_json::{Value, json};
 
 use crate::recording::NFF;
+use crate::trace_log::strategies::{built_cases, log_with_building};
 use crate::trace_log::{EXAMPLE, MIXED, all_of, cases, loaded_nff, log};
 
 #[track_caller]
@@ -49,6 +50,14 @@ fn scenes_that_load_are_allowed() {
         "objects": []
     });
     check_allowed(&schema, "the least scene", &least);
+    for slabs in [
+        json!([[1, 0, 0], [0, 1, 0], [0, 0, 1]]),
+        json!([[1, 0], [0, 1]]),
+    ] {
+        let mut scene = least.clone();
+        set(&mut scene, "/slabs", Some(slabs));
+        check_allowed(&schema, "a scene with slabs", &scene);
+    }
 }
 
 /// Sets the value at a JSON pointer, or takes it away.
@@ -79,6 +88,10 @@ fn scenes_that_do_not_load_are_refused() {
         ("/max_depth", Some(json!(101))),
         ("/max_depth", Some(json!(2.5))),
         ("/name", Some(json!(null))),
+        ("/slabs", Some(json!(null))),
+        ("/slabs", Some(json!(7))),
+        ("/slabs", Some(json!([1, 0, 0]))),
+        ("/slabs", Some(json!([["1", 0, 0]]))),
         ("/background", Some(json!([0, 0]))),
         ("/background", Some(json!([0, 0, 0, 0]))),
         ("/background/1", Some(json!("0.8"))),
@@ -159,9 +172,18 @@ fn lines() -> Vec<Value> {
     let mut lines = Vec::new();
     for (scene, settings, region) in cases() {
         let text = String::from_utf8(log(&scene, &settings, &all_of(region))).unwrap();
-        lines.extend(text.lines().map(|line| serde_json::from_str(line).unwrap()));
+        lines.extend(text.lines().map(parsed));
+    }
+    for (scene, settings, pixel) in built_cases() {
+        let text = String::from_utf8(log_with_building(&scene, &settings, pixel)).unwrap();
+        lines.extend(text.lines().map(parsed));
     }
     lines
+}
+
+#[track_caller]
+fn parsed(line: &str) -> Value {
+    serde_json::from_str(line).unwrap()
 }
 
 fn kind_of(line: &Value) -> &str {
@@ -196,7 +218,9 @@ fn a_line_with_a_wrong_key_or_value_is_refused() {
         };
         refused("/colour_of_money", Some(json!(1)));
         refused("/step", None);
-        refused("/pixel", None);
+        // what is built is built before the first pixel
+        let pixel = kind.is_of_building().then(|| json!([0, 0]));
+        refused("/pixel", pixel);
         refused("/kind", None);
         refused("/step", Some(json!(-1)));
         refused("/step", Some(json!(0.5)));
@@ -227,6 +251,14 @@ fn a_head_with_a_wrong_key_or_value_is_refused() {
         ("trace", "/settings", None),
         ("trace", "/settings/strategy", Some(json!("best"))),
         ("trace", "/settings/seed", Some(json!(1))),
+        ("trace", "/settings/building", Some(json!("yes"))),
+        ("trace", "/settings/structure", Some(json!({}))),
+        (
+            "trace",
+            "/settings/structure",
+            Some(json!({ "volume": "ball" })),
+        ),
+        ("trace", "/slabs", Some(json!([1, 0, 0]))),
         ("trace", "/camera/look_at", None),
         ("trace", "/materials/red/colour", Some(json!("red"))),
         ("trace", "/objects", Some(json!([]))),

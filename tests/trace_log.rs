@@ -1,13 +1,14 @@
 //! The log: what is written reads back bit for bit, whoever writes it and however much is left out.
 
 mod damaged;
+pub(crate) mod strategies;
 
 use std::io::{self, Write};
 use std::path::Path;
 
 use raystep::{
-    Exhaustive, Kind, Kinds, Loaded, LogOptions, LogReader, LogStopped, Off, Record, Recording,
-    Region, Scene, Settings, Through, Tracer, WorkedOptions, load, load_bytes, trace_pixel,
+    Chosen, Kind, Kinds, Loaded, LogOptions, LogReader, LogStopped, Off, Record, Recording, Region,
+    Scene, Settings, Strategy, Through, Tracer, WorkedOptions, load, load_bytes, trace_pixel,
     worked_solution, write_log,
 };
 use serde_json::Value;
@@ -73,11 +74,17 @@ pub(crate) fn nff(name: &str, pixels: [u32; 2]) -> Scene {
     loaded.build().unwrap()
 }
 
+/// The strategy that the settings ask for.
+#[track_caller]
+pub(crate) fn strategy<'a>(scene: &'a Scene, settings: &Settings) -> Chosen<'a> {
+    Chosen::new(scene, settings.strategy, &settings.structure).unwrap()
+}
+
 pub(crate) fn tracer<'a>(
     scene: &'a Scene,
-    strategy: &'a Exhaustive<'a>,
+    strategy: &'a Chosen<'a>,
     settings: &Settings,
-) -> Tracer<'a, Exhaustive<'a>> {
+) -> Tracer<'a, Chosen<'a>> {
     Tracer {
         scene,
         strategy,
@@ -97,17 +104,20 @@ pub(crate) fn all_of(region: Region) -> LogOptions {
 /// The whole log.
 pub(crate) fn log(scene: &Scene, settings: &Settings, options: &LogOptions) -> Vec<u8> {
     let mut bytes = Vec::new();
-    let strategy = Exhaustive::new(scene);
+    let strategy = strategy(scene, settings);
     let tracer = tracer(scene, &strategy, settings);
     write_log::<_, Off>(&tracer, settings, options, &mut bytes, |_| {}).unwrap();
     bytes
 }
 
-/// The records of one pixel.
+/// The records of one pixel, and if they are wanted those of the building before it.
 pub(crate) fn records(scene: &Scene, settings: &Settings, pixel: [u32; 2]) -> Vec<Record> {
-    let strategy = Exhaustive::new(scene);
+    let strategy = strategy(scene, settings);
     let tracer = tracer(scene, &strategy, settings);
     let mut recording = Recording::new(Vec::new());
+    if settings.building {
+        strategy.note_building(&mut recording);
+    }
     trace_pixel(&tracer, pixel, settings.through, &mut recording);
     recording.into_sink()
 }
@@ -117,7 +127,7 @@ pub(crate) fn pixels_of(region: Region) -> impl Iterator<Item = [u32; 2]> {
     (top..=bottom).flat_map(move |y| (left..=right).map(move |x| [x, y]))
 }
 
-/// Four scenes, each with a way of tracing it and a region.
+/// Scenes, each with a way of tracing it and a region.
 pub(crate) fn cases() -> Vec<(Scene, Settings, Region)> {
     let example = built(EXAMPLE);
     let corners = Settings {
@@ -131,7 +141,7 @@ pub(crate) fn cases() -> Vec<(Scene, Settings, Region)> {
     let mixed = built(MIXED);
     let whole = Region::whole(mixed.camera.pixels);
     let region = |text: &str| text.parse::<Region>().unwrap();
-    vec![
+    let mut cases = vec![
         (example.clone(), Settings::default(), region("76,55-84,62")),
         (example, corners.clone(), region("100,40-102,80")),
         (mixed.clone(), corners, whole),
@@ -146,7 +156,9 @@ pub(crate) fn cases() -> Vec<(Scene, Settings, Region)> {
             Settings::default(),
             region("15,15-18,16"),
         ),
-    ]
+    ];
+    cases.extend(strategies::cases());
+    cases
 }
 
 /// `Debug` prints a number's shortest digits and the sign of a zero: equal texts are equal bits.
@@ -242,7 +254,7 @@ fn a_filter_keeps_the_lines_that_a_filter_of_the_whole_log_keeps() {
     for (scene, settings, region) in cases() {
         let text = String::from_utf8(log(&scene, &settings, &all_of(region))).unwrap();
         let inner = Region {
-            from: region.from.map(|at| at + 1),
+            from: [0, 1].map(|i| (region.from[i] + 1).min(region.to[i])),
             to: region.to,
         };
         let sets: [&[Kind]; 4] = [
@@ -307,7 +319,7 @@ impl Write for Watched {
 fn watched(budget: u64, fails_after: usize) -> (Watched, Result<(), LogStopped>) {
     let scene = nff("balls-2", [128, 128]);
     let settings = Settings::default();
-    let strategy = Exhaustive::new(&scene);
+    let strategy = strategy(&scene, &settings);
     let mut out = Watched {
         longest: 0,
         total: 0,

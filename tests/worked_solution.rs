@@ -1,5 +1,7 @@
 //! The worked solution reads as one does it by hand: its lines against a pixel worked out on paper.
 
+mod strategies;
+
 use std::path::Path;
 
 use raystep::{

@@ -3,7 +3,7 @@
 use std::fmt;
 use std::io;
 
-use raystep::{Fault, LoadError, LogError, Region, StructureError};
+use raystep::{Fault, GridError, LoadError, LogError, Region, StructureError};
 
 /// Why a command did not do what it was asked to.
 #[derive(Debug)]
@@ -125,6 +125,10 @@ impl fmt::Display for Error {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Usage(usage) => usage.fmt(f),
+            Self::Negative { argument } if argument.starts_with("--") => write!(
+                f,
+                "{argument}: no number of this command is negative\n  give a number of 0 or more"
+            ),
             Self::Negative { argument } => write!(
                 f,
                 "{argument}: no number of this command is negative; pixels count from 0,0 at the \
@@ -133,7 +137,10 @@ impl fmt::Display for Error {
             Self::Load(error) => error.fmt(f),
             Self::Log(error) => error.fmt(f),
             Self::Option { option, fault } => write!(f, "{option}: {fault}\n  {}", fault.fix()),
-            Self::Structure { fault } => fault.fmt(f),
+            Self::Structure { fault } => match option_of(fault) {
+                Some(option) => write!(f, "{option}: {fault}"),
+                None => fault.fmt(f),
+            },
             Self::PixelOutside {
                 pixel: [x, y],
                 pixels,
@@ -201,6 +208,20 @@ impl fmt::Display for Error {
 }
 
 impl std::error::Error for Error {}
+
+/// The option that a structure cannot be built with, if there is one alone.
+fn option_of(fault: &StructureError) -> Option<&'static str> {
+    match fault {
+        StructureError::NoSlabs | StructureError::Slabs(_) => Some("--slabs scene"),
+        StructureError::Grid(GridError::Density { .. }) => Some("--density"),
+        StructureError::Grid(GridError::NoCells { .. } | GridError::TooThin { .. }) => {
+            Some("--grid")
+        }
+        StructureError::Grid(GridError::TooManyCells { .. } | GridError::TooManyEntries { .. }) => {
+            None
+        }
+    }
+}
 
 /// The numbers that columns and rows have.
 struct Inside([u32; 2]);

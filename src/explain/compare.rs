@@ -172,7 +172,7 @@ impl Comparison<'_> {
                     let cells = self.cells(cost);
                     row.extend(columns.iter().map(|&column| cells[column].clone()));
                 }
-                Err(why) => row.push(format!("not built: {why}")),
+                Err(why) => row.push(format!("not built: {}", in_one_line(why))),
             }
             table.push(row);
         }
@@ -236,7 +236,7 @@ impl Comparison<'_> {
                     let list = in_advance(self.scene, &compared.settings, counts);
                     entry["in_advance"] = in_advance_json(&list);
                 }
-                Err(why) => entry["error"] = why.to_string().into(),
+                Err(why) => entry["error"] = in_one_line(why).into(),
             }
             entry
         });
@@ -270,7 +270,7 @@ impl Comparison<'_> {
                 Err(why) => csv_row(
                     &name,
                     &[const { String::new() }; COLUMNS.len()],
-                    &why.to_string(),
+                    &in_one_line(why),
                 ),
             };
         }
@@ -316,6 +316,11 @@ fn aligned(table: &[Vec<String>]) -> String {
 }
 
 /// A row of CSV: cells with commas, quotes or line breaks are quoted (RFC 4180, 2.6 and 2.7).
+/// What is wrong and what to do about it, which stand on two lines elsewhere.
+fn in_one_line(why: &StructureError) -> String {
+    why.to_string().replace("\n  ", "; ")
+}
+
 fn csv_row(name: &str, cells: &[String], error: &str) -> String {
     let cells = cells.iter().map(String::as_str);
     let all = std::iter::once(name).chain(cells).chain([error]);

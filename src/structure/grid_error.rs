@@ -45,23 +45,29 @@ impl fmt::Display for GridError {
         match *self {
             Self::Density { density } => write!(
                 f,
-                "a grid's density is its number of cells for each object, and {density} is none; give a \
-                 number above 0, such as 3"
+                "a grid's density is its number of cells for each object, and {density} is none\n  \
+                 give a number above 0, such as 3"
             ),
             Self::NoCells {
                 resolution: [x, y, z],
             } => write!(
                 f,
-                "a grid of {x} × {y} × {z} has no cells; give at least 1 along each axis"
+                "a grid of {x} × {y} × {z} has no cells\n  give at least 1 along each axis"
             ),
             Self::TooManyCells { cells } => write!(
                 f,
-                "a grid of {cells:.4e} cells takes too much memory; {MOST_CELLS} are the most: give a \
-                 smaller resolution or density"
+                "a grid of {} cells takes too much memory; {MOST_CELLS} are the most\n  \
+                 give a smaller resolution or density",
+                // whole numbers up to 2⁵³
+                if cells <= 9e15 {
+                    format!("{cells}")
+                } else {
+                    format!("{cells:.0e}")
+                }
             ),
             Self::TooThin { axis, most } => write!(
                 f,
-                "the scene is too thin along {} for so many cells; {most} are the most along that axis",
+                "the scene is too thin along {} for so many cells\n  give at most {most} along that axis",
                 ["x", "y", "z"][axis.min(2)]
             ),
             Self::TooManyEntries {
@@ -69,7 +75,7 @@ impl fmt::Display for GridError {
             } => write!(
                 f,
                 "the lists of a grid of {x} × {y} × {z} cells would hold more than {MOST_ENTRIES} objects in \
-                 all; give a smaller resolution or density"
+                 all\n  give a smaller resolution or density"
             ),
         }
     }

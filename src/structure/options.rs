@@ -36,8 +36,8 @@ impl fmt::Display for StructureError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::NoSlabs => f.write_str(
-                "the scene has no \"slabs\"; add a list of directions [A, B, C], or take the slabs axes or \
-                 seven",
+                "the scene has no \"slabs\"\n  add a list of directions [A, B, C] to it, or take the slabs \
+                 axes or seven",
             ),
             Self::Slabs(error) => error.fmt(f),
             Self::Grid(error) => error.fmt(f),

@@ -238,7 +238,12 @@ impl<const N: usize> SlabBound<N> {
             slab: slab as u32,
             normal,
             s: line.s,
-            t_scale: line.t_scale,
+            // an infinite T has no sign, as in a log
+            t_scale: if line.t_scale.is_finite() {
+                line.t_scale
+            } else {
+                f64::INFINITY
+            },
             d_min,
             d_max,
             interval,

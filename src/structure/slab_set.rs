@@ -71,20 +71,28 @@ impl fmt::Display for SlabSetError {
             Self::NoDirection { slab } => {
                 write!(
                     f,
-                    "direction {slab} of the slabs has length 0; give it a direction [A, B, C]"
+                    "slabs[{slab}] of the scene is zero\n  give it a direction [A, B, C], or leave it out"
                 )
             }
             Self::Parallel { first, second } => write!(
                 f,
-                "directions {first} and {second} of the slabs are parallel; leave one of them out"
+                "slabs[{first}] and slabs[{second}] of the scene are parallel\n  leave one of them out"
             ),
             Self::Unbounded { independent } => write!(
                 f,
-                "the slabs do not bound: {independent} of their directions are independent, and 3 must be; \
-                 add one across the plane of the others"
+                "the slabs of the scene do not bound: they have {independent} of the 3 independent directions \
+                 that it takes\n  {}",
+                match independent {
+                    0 => "give three directions [A, B, C] that lie in no plane",
+                    1 => "add two directions that lie in no plane with the first",
+                    _ => "add a direction across the plane of the others",
+                }
             ),
             Self::TooMany { count } => {
-                write!(f, "{count} directions of slabs; {MOST_SLABS} are the most")
+                write!(
+                    f,
+                    "the slabs of the scene have {count} directions\n  leave some out; {MOST_SLABS} are the most"
+                )
             }
         }
     }

@@ -1,10 +1,14 @@
 //! What must hold of the records of a pixel, worked out from the records alone.
 
+mod searched;
+
 use glam::DVec3;
 use raystep::{
     Counts, Event, Fate, Kind, LightTerm, Nearest, Outcome, PlaneVerdict, Purpose, RayEnd,
-    RayStart, Record, Roots, Scene, Shade, Shape, Sink, Visibility,
+    RayStart, Record, Roots, Scene, Settings, Shade, Shape, Sink, Visibility,
 };
+
+use searched::Searched;
 
 /// A sum of a few colours is rounded a few times; the colours are of the order of 1.
 const ROUNDING: f64 = 1e-12;
@@ -24,6 +28,8 @@ pub(super) struct Sums {
     tests: [[u64; 2]; 6],
     /// What the ends of the rays say: tests, hits.
     told: [u64; 2],
+    /// What it took to find out what to test.
+    searched: Searched,
 }
 
 impl Sink for Sums {
@@ -34,6 +40,7 @@ impl Sink for Sums {
             *tests += 1;
             *hits += u64::from(hit);
         }
+        self.searched.event(&record.event, met(&record.event));
         match record.event {
             Event::Pixel(sample) if sample.sample == 0 => self.purposes.clear(),
             Event::Ray(start) => self.purposes.push(start.purpose),
@@ -73,6 +80,8 @@ impl Sums {
         };
         let objects = [sum(0, Kind::PolygonTest), sum(1, Kind::PlaneTest)];
         assert_eq!(objects, self.told, "{scene}: the rays' ends");
+        assert_eq!(counts.objects_tested(), objects[0], "{scene}: objects");
+        self.searched.check(scene, counts);
         assert!(0 < objects[1], "{scene}: nothing was hit");
     }
 }
@@ -94,6 +103,11 @@ fn tested(event: &Event) -> Option<(Kind, bool)> {
     Some((event.kind(), hit))
 }
 
+/// Was an object met: its surface, or the inside of its outline?
+fn met(event: &Event) -> bool {
+    tested(event).is_some_and(|(kind, hit)| hit && kind != Kind::PlaneTest)
+}
+
 /// A ray with what happened on it so far.
 struct Open {
     id: u32,
@@ -101,6 +115,7 @@ struct Open {
     nearest: Option<Nearest>,
     edges: Vec<bool>,
     tests: [u32; 2],
+    searched: Searched,
     lights: Vec<LightTerm>,
     /// The shadow ray that has just ended: its light and outcome.
     shadow: Option<(u32, Outcome)>,
@@ -112,15 +127,17 @@ struct Open {
 /// Walks through the records of a pixel with the rays that are open.
 struct Walk<'a> {
     scene: &'a Scene,
+    settings: &'a Settings,
     open: Vec<Open>,
     started: u32,
     eye_colours: Vec<DVec3>,
 }
 
 #[track_caller]
-pub(super) fn check_pixel(scene: &Scene, pixel: [u32; 2], records: &[Record]) {
+pub(super) fn check_pixel(scene: &Scene, settings: &Settings, pixel: [u32; 2], records: &[Record]) {
     let mut walk = Walk {
         scene,
+        settings,
         open: Vec::new(),
         started: 0,
         eye_colours: Vec::new(),
@@ -151,6 +168,9 @@ impl Walk<'_> {
             *tests += u32::from(kind != Kind::PolygonTest);
             *hits += u32::from(hit && kind != Kind::PlaneTest);
         }
+        if let Some(top) = self.open.last_mut() {
+            top.searched.event(&record.event, met(&record.event));
+        }
         match record.event {
             Event::Ray(start) => self.starts(record, start),
             Event::RayEnd(end) => self.ends(&end),
@@ -171,7 +191,9 @@ impl Walk<'_> {
             Event::Nearest(nearest) => {
                 let before = self.top().nearest.replace(nearest);
                 assert_eq!(nearest.replaced, before.map(|before| before.object));
-                assert!(before.is_none_or(|before| nearest.t < before.t));
+                // of two at equal t the first in the scene wins, in whatever order they are tested
+                let place = |of: Nearest| (of.t, of.object);
+                assert!(before.is_none_or(|before| place(nearest) < place(before)));
             }
             Event::LightTerm(light) => {
                 let shadow = self.top().shadow.take();
@@ -218,6 +240,7 @@ impl Walk<'_> {
             nearest: None,
             edges: Vec::new(),
             tests: [0, 0],
+            searched: Searched::default(),
             lights: Vec::new(),
             shadow: None,
             shade: None,
@@ -255,6 +278,10 @@ impl Walk<'_> {
             ..
         } = ray.start;
         let beyond = self.scene.max_depth < depth;
+        if end.outcome != Outcome::DepthLimit {
+            let settings = self.settings;
+            ray.searched.check_ray(self.scene, settings.strategy, end);
+        }
         assert_eq!(
             end.outcome == Outcome::DepthLimit,
             beyond && purpose != Purpose::Shadow

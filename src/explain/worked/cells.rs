@@ -4,9 +4,10 @@ use crate::explain::number::Digits;
 use crate::explain::page::Tone;
 use crate::explain::worked::Solution;
 use crate::explain::worked::count;
+use crate::explain::worked::steps::Course;
 use crate::scene::PrimitiveId;
 use crate::structure::{Across, AssignStep, Share};
-use crate::trace::{CellVisit, GridEnter, GridExit, HitOutsideCell, WalkEnd};
+use crate::trace::{CellVisit, GridEnter, GridExit, HitOutsideCell, Purpose, WalkEnd};
 
 impl Solution<'_> {
     /// The grid, and where the ray comes into it.
@@ -65,7 +66,7 @@ impl Solution<'_> {
             String::new()
         } else {
             format!(
-                "; next planes: {}; goes on across {across}",
+                "; next planes: {}; it leaves across {across}",
                 next.join(", ")
             )
         };
@@ -81,7 +82,7 @@ impl Solution<'_> {
     pub(super) fn mailbox(&mut self, object: PrimitiveId) {
         let name = self.name(object);
         let text = format!("{name}: tested with this ray in an earlier cell, as its mailbox says");
-        self.page.indented(|page| page.line(Tone::Aside, text));
+        self.page.line(Tone::Aside, text);
     }
 
     /// A hit beyond the cell.
@@ -96,9 +97,16 @@ impl Solution<'_> {
     }
 
     /// Why the walk ended.
-    pub(super) fn grid_exit(&mut self, exit: GridExit) {
+    pub(super) fn grid_exit(&mut self, exit: GridExit, course: &Course) {
+        let shadow = course
+            .start
+            .is_some_and(|start| start.purpose == Purpose::Shadow);
         let cells = count(exit.cells as usize, "cell");
         let (tone, text) = match exit.end {
+            WalkEnd::HitInCell if shadow => (
+                Tone::Found,
+                format!("one hit is enough, wherever it lies: the walk ends; {cells} visited"),
+            ),
             WalkEnd::HitInCell => (
                 Tone::Found,
                 format!(
@@ -107,7 +115,7 @@ impl Solution<'_> {
             ),
             WalkEnd::Left => (
                 Tone::Refused,
-                format!("the walk leaves the grid; {cells} visited"),
+                format!("here the grid ends, or what counts of the ray; {cells} visited"),
             ),
             WalkEnd::Outside => (Tone::Refused, "no cell is pierced".into()),
         };
@@ -118,13 +126,11 @@ impl Solution<'_> {
     pub(super) fn assign(&mut self, step: &AssignStep) {
         let name = self.name(step.object);
         let share = match step.share {
-            Share::Whole => "wholly",
-            Share::Part => "in part",
+            Share::Whole => "which lies in it as a whole",
+            Share::Part => "a part of which lies in it",
         };
-        self.page.plain(format!(
-            "cell {} lists {name}: it contains it {share}",
-            place(step.cell)
-        ));
+        self.page
+            .plain(format!("cell {} lists {name}, {share}", place(step.cell)));
     }
 }
 

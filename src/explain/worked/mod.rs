@@ -127,8 +127,14 @@ impl Solution<'_> {
         self.page.gap();
         self.page.line(Tone::Heading, "Built before the first ray");
         self.page.indent();
-        let note =
-            "each bound is wider than its objects by 1e-10 of their coordinates, against rounding";
+        let note = match built[0] {
+            Event::Assign(_) => {
+                "each object is listed with a little room around it, against rounding"
+            }
+            _ => {
+                "each bound is wider than its objects by 1e-10 of their coordinates, against rounding"
+            }
+        };
         self.page.line(Tone::Aside, note);
         for event in built.iter().take(shown) {
             match event {

@@ -10,9 +10,10 @@ use crate::structure::MergeStep;
 use crate::trace::{NodeOutcome, NodeVisit, QueueAction, QueueStep};
 
 impl Solution<'_> {
-    /// What became of a node. One whose bound was refused a line before needs no second line.
+    /// What became of a node. One that was refused a line before needs no second line.
     pub(super) fn node(&mut self, visit: &NodeVisit, course: &Course) {
-        if refused_node(course.last.as_ref()) == Some(visit.node) {
+        let told = course.last.filter(|last| self.shows(last.kind()));
+        if refused_node(told.as_ref()) == Some(visit.node) {
             return;
         }
         let d = Digits::USUAL;
@@ -34,8 +35,17 @@ impl Solution<'_> {
     }
 
     /// A node goes into the heap or comes out of it.
-    pub(super) fn queue(&mut self, step: &QueueStep) {
+    pub(super) fn queue(&mut self, step: &QueueStep, course: &Course) {
         let d = Digits::USUAL;
+        // a bound that the ray starts in is entered before any t counts
+        let starts = course
+            .start
+            .is_some_and(|start| start.range.min == step.key);
+        let inside = if starts {
+            " (the ray starts in it)"
+        } else {
+            ""
+        };
         let (node, key) = (step.node, d.number(step.key));
         let waiting = match step.size {
             0 => "none waits".into(),
@@ -43,12 +53,21 @@ impl Solution<'_> {
             size => format!("{size} nodes wait"),
         };
         let text = match step.action {
-            QueueAction::Push => format!("heap: node {node} goes in with key {key}; {waiting}"),
+            QueueAction::Push => {
+                format!("heap: node {node} goes in with key {key}{inside}; {waiting}")
+            }
             QueueAction::Pop => format!("heap: node {node} is the nearest, key {key}; {waiting}"),
-            QueueAction::Stop => format!(
-                "heap: the nearest node, {node}, has key {key}, behind the nearest hit: the search ends \
-                 ({waiting})"
-            ),
+            QueueAction::Stop => {
+                let left = match step.size {
+                    0 => String::new(),
+                    1 => ", and 1 other node is not looked at".into(),
+                    size => format!(", and {size} other nodes are not looked at"),
+                };
+                format!(
+                    "heap: the nearest node, {node}, has key {key}, behind the nearest hit: the search \
+                     ends{left}"
+                )
+            }
         };
         self.page.line(Tone::Aside, text);
     }

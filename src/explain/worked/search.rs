@@ -2,7 +2,7 @@
 
 use crate::explain::worked::Solution;
 use crate::explain::worked::steps::{Course, Step};
-use crate::trace::{BoundOutcome, Bounded, Event, Kind};
+use crate::trace::{BoundOutcome, Bounded, Event, Kind, QueueAction};
 
 /// Up to so many slabs on a ray each is worked out; from more of them on only if all are asked for.
 const SLABS_IN_FULL: usize = 24;
@@ -17,16 +17,16 @@ impl Solution<'_> {
             Event::SlabTest(test) if course.slabs_in_full => self.slab_test(test, course),
             Event::BoundTest(test) => self.bound_test(test, course),
             Event::Node(visit) => self.node(visit, course),
-            Event::Queue(step) => self.queue(step),
+            Event::Queue(step) => self.queue(step, course),
             Event::GridEnter(enter) => self.grid_enter(enter),
             Event::Cell(cell) => self.cell(cell),
             Event::Mailbox { object } => self.mailbox(*object),
             Event::HitOutsideCell(hit) => self.hit_outside_cell(hit),
-            Event::GridExit(exit) => self.grid_exit(*exit),
+            Event::GridExit(exit) => self.grid_exit(*exit, course),
             Event::Align(frame) => self.align(frame),
             Event::Aligned(point) => self.aligned(point),
             Event::ZSort(sorted) => self.z_sort(sorted, course),
-            // what is listed is tested next, or has been; the rest is told elsewhere
+            // of an object on a cell's list its test is told next, or its mailbox
             _ => {}
         }
     }
@@ -38,13 +38,14 @@ impl Solution<'_> {
     }
 }
 
-/// The node whose bound was found not to count by this step, if it is one.
+/// The node that was found not to count by this step, if it is one.
 pub(super) fn refused_node(step: Option<&Event>) -> Option<u32> {
     match step {
         Some(Event::BoundTest(test)) if test.outcome != BoundOutcome::Hit => match test.of {
             Bounded::Node(node) => Some(node),
             Bounded::Object(_) => None,
         },
+        Some(Event::Queue(step)) if step.action == QueueAction::Stop => Some(step.node),
         _ => None,
     }
 }
