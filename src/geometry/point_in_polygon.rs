@@ -90,7 +90,11 @@ impl Polygon {
     /// assert_eq!((test.dropped, test.inside), (Axis::Z, true));
     /// assert_eq!(test.crossings, 1); // only the slanted edge lies to the right of p′ = (1, 1)
     /// ```
-    #[inline]
+    #[inline(always)]
+    #[expect(
+        clippy::inline_always,
+        reason = "a search wants `inside` alone: in place, the rest of the working is not put together"
+    )]
     pub fn contains(&self, ray: &Ray, t: f64) -> PolygonTest {
         let dropped = self.dropped();
         let point = ray.at(t);
@@ -102,7 +106,9 @@ impl Polygon {
             // the same for three corners as for many, but three are counted without a loop
             match &self.corners {
                 Corners::Triangle { outline, .. } => clear_crossings(outline, projected, margin),
-                Corners::Many { outline, .. } => clear_crossings(outline, projected, margin),
+                Corners::Many { outline, .. } => {
+                    clear_crossings_of_many(outline, projected, margin)
+                }
             }
         };
         let (crossings, decided_by) = match counted {
@@ -266,6 +272,12 @@ fn clear_crossings(outline: &[DVec2], p: DVec2, margin: f64) -> Option<u32> {
         from = to;
     }
     is_clear.then_some(crossings)
+}
+
+/// The same for any other number of corners: apart, so that the code for three is short enough to be inlined.
+#[inline(never)]
+fn clear_crossings_of_many(outline: &[DVec2], p: DVec2, margin: f64) -> Option<u32> {
+    clear_crossings(outline, p, margin)
 }
 
 /// The line of a ray, given by two points so that the exact predicates can be asked about it.

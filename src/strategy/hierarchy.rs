@@ -17,7 +17,7 @@ use crate::scene::Scene;
 use crate::strategy::waiting::{Stack, Waiting};
 use crate::strategy::{Search, Strategy};
 use crate::structure::{
-    Build, Hierarchy, Inside, Link, NO_SLAB, RaySlabs, SlabSet, VolumeKind, crossed, range,
+    Build, Hierarchy, Inside, Link, NO_SLAB, Node, RaySlabs, SlabSet, VolumeKind, crossed, range,
 };
 use crate::trace::{
     BoundOutcome, BoundTest, Bounded, Event, NodeOutcome, NodeVisit, QueueAction, QueueStep,
@@ -84,9 +84,10 @@ impl<const N: usize> Strategy for DepthFirst<'_, N> {
                     }
                 }
                 Link::Children { first, count } => {
-                    for child in first..first + count {
+                    let children = &nodes.hierarchy.nodes()[range(first, count)];
+                    for (child, of) in (first..).zip(children) {
                         let depth = node.depth + 1;
-                        let met = nodes.meets(child, depth, ray, &slabs, search, recorder);
+                        let met = nodes.meets(child, of, depth, ray, &slabs, search, recorder);
                         // the nearest child is next, the others wait
                         if let Some(met) = met {
                             match next {
@@ -159,9 +160,10 @@ impl<const N: usize> Strategy for HeapOrdered<'_, N> {
                     }
                 }
                 Link::Children { first, count } => {
-                    for child in first..first + count {
+                    let children = &nodes.hierarchy.nodes()[range(first, count)];
+                    for (child, of) in (first..).zip(children) {
                         let depth = next.depth + 1;
-                        let met = nodes.meets(child, depth, ray, &slabs, search, recorder);
+                        let met = nodes.meets(child, of, depth, ray, &slabs, search, recorder);
                         if let Some(met) = met {
                             heap.push(Reverse(met));
                             note(QueueAction::Push, met, heap.len(), recorder);
@@ -198,10 +200,8 @@ impl<'a, const N: usize> Nodes<'a, N> {
         search: &impl Search,
         recorder: &mut R,
     ) -> Option<Waiting> {
-        if self.hierarchy.nodes().is_empty() {
-            return None;
-        }
-        self.meets(0, 0, ray, slabs, search, recorder)
+        let root = self.hierarchy.nodes().first()?;
+        self.meets(0, root, 0, ray, slabs, search, recorder)
     }
 
     /// Does the ray meet a node's bound where a hit still counts?
@@ -209,13 +209,14 @@ impl<'a, const N: usize> Nodes<'a, N> {
     fn meets<R: Recorder>(
         &self,
         node: u32,
+        of: &Node<N>,
         depth: u32,
         ray: &Ray,
         slabs: &RaySlabs<N>,
         search: &impl Search,
         recorder: &mut R,
     ) -> Option<Waiting> {
-        let bound = &self.hierarchy.nodes()[node as usize].bound;
+        let bound = &of.bound;
         let of = Bounded::Node(node);
         let mut so_far = NO_SLAB;
         let inside = bound.inside(slabs, |slab, near, far| {

@@ -10,7 +10,7 @@ pub(super) struct Waiting {
 }
 
 /// How many nodes wait without memory of their own: one for each level of a tree of a million objects.
-const FEW: usize = 32;
+const FEW: usize = 16;
 
 /// A stack of nodes, the next one on top.
 #[derive(Debug)]

@@ -50,6 +50,26 @@ pub fn extent(shape: &Shape, n: DVec3) -> [f64; 2] {
     [smallest - rounding, largest + rounding]
 }
 
+/// [`extent`] along x, y and z at one go: the smallest and the largest corner of the box around a shape.
+pub(super) fn box_around(shape: &Shape) -> [DVec3; 2] {
+    let [smallest, largest] = match shape {
+        Shape::Sphere(sphere) => [sphere.center - sphere.radius, sphere.center + sphere.radius],
+        Shape::Polygon(polygon) => {
+            let (low, high) = polygon.vertices().fold(
+                (DVec3::INFINITY, DVec3::NEG_INFINITY),
+                |(low, high), vertex| (low.min(vertex), high.max(vertex)),
+            );
+            [low - polygon.play(), high + polygon.play()]
+        }
+        Shape::Ellipsoid(_) | Shape::Box(_) | Shape::Cone(_) => {
+            let [x, y, z] = DVec3::AXES.map(|axis| extent(shape, axis));
+            return [0, 1].map(|end| DVec3::new(x[end], y[end], z[end]));
+        }
+    };
+    let rounding = ROUNDING * shape.reach();
+    [smallest - rounding, largest + rounding]
+}
+
 fn union(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
     [a[0].min(b[0]), a[1].max(b[1])]
 }

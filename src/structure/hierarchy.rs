@@ -28,7 +28,11 @@ pub enum Build {
 }
 
 /// A node: its bound and what it bounds.
+///
+/// With three slabs it takes 64 bytes, a cache line, and is laid out on one: to come to it costs one read of
+/// memory and not two.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(align(64))]
 pub struct Node<const N: usize> {
     /// D_min and D_max of each slab.
     pub bound: SlabBound<N>,

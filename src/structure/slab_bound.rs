@@ -10,6 +10,7 @@ use glam::DVec3;
 
 use crate::geometry::{PARALLEL, Ray, SlabInterval, SlabRay, TRange};
 use crate::scene::Shape;
+use crate::structure::extent::box_around;
 use crate::structure::{SlabSet, extent};
 
 /// D_min and D_max of each slab. A, B and C are those of the structure's [`SlabSet`].
@@ -155,7 +156,15 @@ impl<const N: usize> SlabBound<N> {
             d_min: [f64::NEG_INFINITY; N],
             d_max: [f64::INFINITY; N],
         };
-        for (slab, &normal) in set.directions().iter().enumerate() {
+        let mut first = 0;
+        if set.begins_with_axes() {
+            let [smallest, largest] = box_around(shape);
+            first = BOX;
+            for slab in 0..BOX {
+                (bound.d_min[slab], bound.d_max[slab]) = (-largest[slab], -smallest[slab]);
+            }
+        }
+        for (slab, &normal) in set.directions().iter().enumerate().skip(first) {
             let [smallest, largest] = extent(shape, normal);
             (bound.d_min[slab], bound.d_max[slab]) = (-largest, -smallest);
         }
@@ -180,8 +189,8 @@ impl<const N: usize> SlabBound<N> {
     /// With t = (S + D)·T for both planes of a slab, the smaller is its near and the larger its far value;
     /// near = max nearᵢ, far = min farᵢ. No division, and left as soon as they have crossed. A parallel ray
     /// is inside its slab from some −10²⁰⁰ to 10²⁰⁰, or only beyond that. `tell` hears of each slab with the
-    /// largest near and the smallest far up to it, and says whether anybody listens: if not, the first
-    /// three slabs are computed at one go, since that is faster than to ask in between.
+    /// largest near and the smallest far up to it, and says whether anybody listens: if not, it is asked once
+    /// only whether they have crossed, behind the third slab, since a jump costs more than a slab.
     #[inline]
     pub fn inside(
         &self,
@@ -199,7 +208,7 @@ impl<const N: usize> SlabBound<N> {
                     far = f64::NEG_INFINITY;
                     break;
                 }
-            } else if BOX <= slab + 1 && far < near {
+            } else if slab + 1 == BOX && far < near {
                 break;
             }
         }

@@ -193,19 +193,22 @@ impl<const N: usize> SlabSet<N> {
         &self.directions[..self.len]
     }
 
+    /// Are the first three directions x, y and z?
+    pub(super) fn begins_with_axes(&self) -> bool {
+        self.axes_first
+    }
+
     /// A·x + B·y + C·z for each direction, and 0 for those that the set does not have.
     #[inline]
     pub(crate) fn products(&self, v: DVec3) -> [f64; N] {
         let mut products = [0.0; N];
         let mut first = 0;
         if self.axes_first {
-            for (product, coordinate) in products.iter_mut().zip(v.to_array()) {
-                *product = coordinate;
-            }
-            first = 3;
+            first = v.to_array().len().min(N);
+            products[..first].copy_from_slice(&v.to_array()[..first]);
         }
-        for (product, normal) in products.iter_mut().zip(&self.directions).skip(first) {
-            *product = normal.dot(v);
+        for slab in first..N {
+            products[slab] = self.directions[slab].dot(v);
         }
         products
     }

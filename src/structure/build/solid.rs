@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use crate::scene::Shape;
-use crate::structure::extent;
+use crate::structure::extent::box_around;
 
 /// min ≤ p ≤ max.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -21,11 +21,8 @@ impl Solid {
 
     /// Around a shape.
     pub(super) fn of(shape: &Shape) -> Self {
-        let [x, y, z] = DVec3::AXES.map(|axis| extent(shape, axis));
-        Self {
-            min: DVec3::new(x[0], y[0], z[0]),
-            max: DVec3::new(x[1], y[1], z[1]),
-        }
+        let [min, max] = box_around(shape);
+        Self { min, max }
     }
 
     /// Around both.

@@ -38,10 +38,10 @@ impl Tree {
                 TreeNode::Children(children) => {
                     let first = topology.links.len() as u32;
                     let count = children.len() as u32;
-                    let placeholder = Link::Objects { first: 0, count: 0 };
+                    let open = Link::Objects { first: 0, count: 0 };
                     topology
                         .links
-                        .resize(topology.links.len() + children.len(), placeholder);
+                        .resize(topology.links.len() + children.len(), open);
                     // the first child is laid out next
                     waiting.extend(children.iter().rev());
                     places.extend((first..first + count).rev());
