@@ -71,8 +71,14 @@ impl<'a, const N: usize> BoundedObjects<'a, N> {
             }
             R::ENABLED
         });
-        let inside = inside.and_then(|inside| inside.ends());
+        let mut inside = inside.and_then(|inside| inside.ends());
         let outcome = BoundOutcome::of(inside, search.range());
+        if let Volume::Slabs(_) = volume
+            && R::ENABLED
+        {
+            // decided with room for rounding, told as the slabs were
+            inside = inside.map(|_| so_far);
+        }
         recorder.note(|| {
             Event::BoundTest(BoundTest {
                 of,

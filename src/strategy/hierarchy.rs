@@ -85,9 +85,9 @@ impl<const N: usize> Strategy for DepthFirst<'_, N> {
                 }
                 Link::Children { first, count } => {
                     let children = &nodes.hierarchy.nodes()[range(first, count)];
-                    for (child, of) in (first..).zip(children) {
+                    for child in (first..).zip(children) {
                         let depth = node.depth + 1;
-                        let met = nodes.meets(child, of, depth, ray, &slabs, search, recorder);
+                        let met = nodes.meets(child, depth, ray, &slabs, search, recorder);
                         // the nearest child is next, the others wait
                         if let Some(met) = met {
                             match next {
@@ -161,9 +161,9 @@ impl<const N: usize> Strategy for HeapOrdered<'_, N> {
                 }
                 Link::Children { first, count } => {
                     let children = &nodes.hierarchy.nodes()[range(first, count)];
-                    for (child, of) in (first..).zip(children) {
+                    for child in (first..).zip(children) {
                         let depth = next.depth + 1;
-                        let met = nodes.meets(child, of, depth, ray, &slabs, search, recorder);
+                        let met = nodes.meets(child, depth, ray, &slabs, search, recorder);
                         if let Some(met) = met {
                             heap.push(Reverse(met));
                             note(QueueAction::Push, met, heap.len(), recorder);
@@ -201,15 +201,14 @@ impl<'a, const N: usize> Nodes<'a, N> {
         recorder: &mut R,
     ) -> Option<Waiting> {
         let root = self.hierarchy.nodes().first()?;
-        self.meets(0, root, 0, ray, slabs, search, recorder)
+        self.meets((0, root), 0, ray, slabs, search, recorder)
     }
 
     /// Does the ray meet a node's bound where a hit still counts?
     #[inline]
     fn meets<R: Recorder>(
         &self,
-        node: u32,
-        of: &Node<N>,
+        (node, of): (u32, &Node<N>),
         depth: u32,
         ray: &Ray,
         slabs: &RaySlabs<N>,
@@ -235,7 +234,7 @@ impl<'a, const N: usize> Nodes<'a, N> {
             depth,
         };
         if R::ENABLED {
-            self.note_bound(waiting, inside, range, recorder);
+            self.note_bound(waiting, inside, so_far, range, recorder);
         }
         inside.meets(range).then_some(waiting)
     }
@@ -244,11 +243,13 @@ impl<'a, const N: usize> Nodes<'a, N> {
         &self,
         of: Waiting,
         inside: Inside,
+        so_far: [f64; 2],
         range: TRange,
         recorder: &mut R,
     ) {
-        let inside = inside.ends();
-        let outcome = BoundOutcome::of(inside, range);
+        let outcome = BoundOutcome::of(inside.ends(), range);
+        // decided with room for rounding, told as the slabs were
+        let inside = inside.ends().map(|_| so_far);
         recorder.note(|| {
             Event::BoundTest(BoundTest {
                 of: Bounded::Node(of.node),

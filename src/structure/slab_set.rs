@@ -207,8 +207,8 @@ impl<const N: usize> SlabSet<N> {
             first = v.to_array().len().min(N);
             products[..first].copy_from_slice(&v.to_array()[..first]);
         }
-        for slab in first..N {
-            products[slab] = self.directions[slab].dot(v);
+        for (product, normal) in products[first..].iter_mut().zip(&self.directions[first..]) {
+            *product = normal.dot(v);
         }
         products
     }

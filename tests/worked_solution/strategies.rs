@@ -38,9 +38,9 @@ fn a_hierarchy_is_built() {
         str![[r#"
 Pixel (80, 60) of "two balls over a floor"
 160 × 120 pixels, traced backward with rays to the lights, each ray tested against 4 objects in a hierarchy, walked depth first, depth up to 5
+what is around objects is wider than they are by some 1e-10 of the coordinates, so that rounding cuts nothing off
 
 Built before the first ray
-  each bound is wider than its objects by 1e-10 of their coordinates, against rounding
   node 4 from 5 and 6, slab 0: D_min = min(-1, -3) = -3, D_max = max(1, -1) = 1
   node 4 from 5 and 6, slab 1: D_min = min(-2, -1.5) = -2, D_max = max(2e-10, -0.5) = 2e-10
   node 4 from 5 and 6, slab 2: D_min = min(-1, -0.5) = -1, D_max = max(1, 0.5) = 1
@@ -68,6 +68,7 @@ fn a_hierarchy_is_walked_slab_by_slab() {
         str![[r#"
 Pixel (80, 40) of "two balls over a floor"
 160 × 120 pixels, traced backward with rays to the lights, each ray tested against 4 objects in a hierarchy, walked depth first, depth up to 5
+what is around objects is wider than they are by some 1e-10 of the coordinates, so that rounding cuts nothing off
 
 Ray 0: from the eye, depth 1
   node 0: the slabs around it
@@ -77,7 +78,7 @@ Ray 0: from the eye, depth 1
       near (S + D_max)·T = (1 + 9.02046e-10)·(-8.51275) = -8.51275, far (S + D_min)·T = (1 - 2)·(-8.51275) = 8.51275; largest near -8.51275, smallest far 8.51275
     slab 2, (A, B, C) = (0, 0, 1): S = 0·0 + 0·1 + 1·6 = 6, T = -1/[0·0.00301207 + 0·0.117471 + 1·(-0.993072)] = 1.00698
       near (S + D_min)·T = (6 - 9)·1.00698 = -3.02093, far (S + D_max)·T = (6 + 9)·1.00698 = 15.1046; largest near -3.02093, smallest far 8.51275
-  node 0: the intersection of the slabs is met from t = -3.02093 to t = 8.51276: what is below it can be looked at
+  node 0: the intersection of the slabs is met from t = -3.02093 to t = 8.51275: what is below it can be looked at
   Node 0, depth 0, with 2 child nodes: entered
   node 1: the slabs around it
     slab 0, (A, B, C) = (1, 0, 0): S = 1·0 + 0·1 + 0·6 = 0, T = -1/[1·0.00301207 + 0·0.117471 + 0·(-0.993072)] = -331.997
@@ -152,6 +153,7 @@ fn a_hierarchy_is_walked_by_a_heap() {
         str![[r#"
 Pixel (80, 76) of "two balls over a floor"
 160 × 120 pixels, traced backward with rays to the lights, each ray tested against 4 objects in a hierarchy, walked by distance, depth up to 5
+what is around objects is wider than they are by some 1e-10 of the coordinates, so that rounding cuts nothing off
 
 Ray 0: from the eye, depth 1
   P - COP = (0.00303309, -0.100092, -1), of length 1.00500128
@@ -228,9 +230,9 @@ fn a_grid_is_built() {
         str![[r#"
 Pixel (80, 60) of "two balls over a floor"
 160 × 120 pixels, traced backward with rays to the lights, each ray tested against 4 objects in the cells of a grid, depth up to 5
+what is around objects is wider than they are by some 1e-10 of the coordinates, so that rounding cuts nothing off
 
 Built before the first ray
-  each object is listed with a little room around it, against rounding
   cell (1, 0, 1) lists A, which lies in it as a whole
   cell (1, 0, 1) lists B, which lies in it as a whole
   cell (1, 0, 1) lists C, which lies in it as a whole
@@ -270,6 +272,7 @@ fn a_grid_is_walked_cell_by_cell() {
         str![[r#"
 Pixel (40, 80) of "two balls over a floor"
 160 × 120 pixels, traced backward with rays to the lights, each ray tested against 4 objects in the cells of a grid, depth up to 5
+what is around objects is wider than they are by some 1e-10 of the coordinates, so that rounding cuts nothing off
 
 The pixel's centre on the window
   40.5 pixels from the left and 80.5 from the top, of 160 × 120

@@ -127,15 +127,6 @@ impl Solution<'_> {
         self.page.gap();
         self.page.line(Tone::Heading, "Built before the first ray");
         self.page.indent();
-        let note = match built[0] {
-            Event::Assign(_) => {
-                "each object is listed with a little room around it, against rounding"
-            }
-            _ => {
-                "each bound is wider than its objects by 1e-10 of their coordinates, against rounding"
-            }
-        };
-        self.page.line(Tone::Aside, note);
         for event in built.iter().take(shown) {
             match event {
                 Event::Merge(step) => self.merge(step),
@@ -184,6 +175,17 @@ impl Solution<'_> {
                 self.scene.max_depth
             ),
         );
+        if matches!(
+            self.settings.strategy,
+            StrategyName::Bounds
+                | StrategyName::Hierarchy
+                | StrategyName::Heap
+                | StrategyName::Grid
+        ) {
+            let note = "what is around objects is wider than they are by some 1e-10 of the coordinates, \
+                        so that rounding cuts nothing off";
+            self.page.line(Tone::Aside, note);
+        }
         if let Some(only) = &self.settings.only {
             let note = format!("the log holds only: {}", only.join(", "));
             self.page.line(Tone::Aside, note);

@@ -7,7 +7,7 @@ use crate::explain::page::{Tone, printable};
 use crate::explain::worked::Solution;
 use crate::explain::worked::steps::Course;
 use crate::geometry::SlabInterval;
-use crate::structure::{SlabOutcome, SlabStep, VolumeKind};
+use crate::structure::{SlabOutcome, SlabSet, SlabStep, Volume, VolumeKind};
 use crate::trace::{BoundOutcome, BoundTest, Bounded, Kind, Purpose, SlabTest};
 
 impl Solution<'_> {
@@ -79,6 +79,37 @@ impl Solution<'_> {
             ),
         };
         self.page.line(tone, format!("{of}: {volume} {text}"));
+        if let Some(place) = self.volume_of(test) {
+            self.page.indented(|page| page.line(Tone::Aside, place));
+        }
+    }
+
+    /// Where the volume around an object is, built again from the scene; slabs are told one by one.
+    fn volume_of(&self, test: &BoundTest) -> Option<String> {
+        let d = Digits::USUAL;
+        let Bounded::Object(object) = test.of else {
+            return None;
+        };
+        let object = object as usize;
+        self.scene.objects.get(object)?;
+        match Volume::around(self.scene, object, test.volume, &SlabSet::AXES) {
+            Volume::Sphere(sphere) => Some(format!(
+                "center {}, radius {}",
+                d.vector(sphere.center),
+                d.number(sphere.radius)
+            )),
+            Volume::Ellipsoid(ellipsoid) => {
+                let [a, b, c] = [0, 1, 2].map(|i| d.vector(ellipsoid.radii[i] * ellipsoid.axes[i]));
+                let center = d.vector(ellipsoid.center);
+                Some(format!("center {center}, half axes {a}, {b} and {c}"))
+            }
+            Volume::Box(bound) => {
+                let low = d.vector(bound.d_max.map(|d_max| -d_max).into());
+                let high = d.vector(bound.d_min.map(|d_min| -d_min).into());
+                Some(format!("from {low} to {high}"))
+            }
+            Volume::Slabs(_) | Volume::Nothing => None,
+        }
     }
 
     /// What a volume is around, as it is called in the text.
