@@ -6,6 +6,7 @@ mod event_blocks;
 mod fields;
 mod filter;
 mod flat_json;
+mod kind;
 mod kinds;
 mod line_reader;
 mod line_scanner;
@@ -25,11 +26,12 @@ mod words;
 
 pub use counts::{Counts, RayCount, SearchCount, TestCount};
 pub use event::{
-    Event, Kind, LightTerm, Nearest, Outcome, PixelColour, PixelSample, Purpose, RayEnd, RayStart,
-    Shade, Visibility,
+    Event, LightTerm, Nearest, Outcome, PixelColour, PixelSample, Purpose, RayEnd, RayStart, Shade,
+    Visibility,
 };
 pub use event_blocks::EventBlocks;
 pub use filter::{Budget, Filter, Kinds, Region};
+pub use kind::Kind;
 pub use log_error::LogError;
 pub use log_reader::{LogReader, begins_log};
 pub(crate) use log_writer::{EventWriter, write_event};
