@@ -20,6 +20,9 @@ use raystep::{
 
 use crate::scenes::Objects;
 
+/// What is done with many rays.
+type OverRays<'a, T> = Box<dyn Fn(&[Ray]) -> T + 'a>;
+
 /// One of those that race.
 pub(crate) struct Contender<'a> {
     pub(crate) name: &'static str,
@@ -28,9 +31,9 @@ pub(crate) struct Contender<'a> {
     /// With how many objects it is still worth waiting for.
     pub(crate) most: usize,
     /// Finds the nearest hit of each ray.
-    pub(crate) nearest: Box<dyn Fn(&[Ray]) -> Found + 'a>,
+    pub(crate) nearest: OverRays<'a, Found>,
     /// Does so too, and counts the tests of objects.
-    pub(crate) tests: Box<dyn Fn(&[Ray]) -> u64 + 'a>,
+    pub(crate) tests: OverRays<'a, u64>,
 }
 
 /// What a round found.

@@ -28,7 +28,7 @@ impl Random {
         loop {
             let p = 2.0 * self.point() - 1.0;
             let length = p.length();
-            if 0.1 <= length && length <= 1.0 {
+            if (0.1..=1.0).contains(&length) {
                 return p / length;
             }
         }
