@@ -61,9 +61,10 @@ pub use explain::{
 pub use figure::{Raster, cost_chart, heat_map};
 pub use geometry::{
     AlignedRay, AlignedSlab, Alignment, Axis, AxisBox, BoxTest, Cone, DecidedBy, EdgeTest,
-    Ellipsoid, Fate, GRAZE, OrientedEllipsoid, Plane, PlaneTest, PlaneVerdict, Polygon,
+    Ellipsoid, Fate, GRAZE, MOST_SLABS, OrientedEllipsoid, Plane, PlaneTest, PlaneVerdict, Polygon,
     PolygonError, PolygonTest, QuadraticTest, Ray, Refraction, Root, Roots, Sides, SlabInterval,
-    SlabRay, Sphere, TRange, interpolated_normal, mean_value_weights, reflect, refract,
+    SlabRay, SlabSetError, Sphere, TRange, interpolated_normal, mean_value_weights, reflect,
+    refract, slab_directions,
 };
 pub use scene::{
     Camera, Emission, Fault, Light, LoadError, Loaded, Material, Materials, Normals, Object,
@@ -76,8 +77,8 @@ pub use strategy::{
 };
 pub use structure::{
     Across, AssignStep, Build, CellStep, Grid, GridError, GridOptions, GridWalk, Hierarchy, Inside,
-    Link, Lists, MOST_CELLS, MOST_SLABS, MergeStep, Node, RaySlabs, Share, SlabBound, SlabChoice,
-    SlabOutcome, SlabSet, SlabSetError, SlabStep, StructureError, StructureOptions, Volume,
+    Link, Lists, MOST_CELLS, MergeStep, Node, RaySlabs, Share, SlabBound,
+    SlabChoice, SlabOutcome, SlabSet, SlabStep, StructureError, StructureOptions, Volume,
     VolumeKind, VolumeRay, extent,
 };
 pub use trace::{

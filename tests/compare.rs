@@ -2,6 +2,7 @@
 
 mod chart;
 mod heat;
+mod not_built;
 
 use raystep::{
     Compared, Comparison, Cost, Counts, Exhaustive, Scene, Settings, Through, Tracer, Transport,
@@ -287,37 +288,6 @@ fn long_counts_of_the_search_end_under_the_other_numbers() {
         })
         .collect();
     assert_eq!(ends, [36, 36, 36], "{text}");
-}
-
-#[test]
-fn a_structure_that_cannot_be_built_is_told_and_the_others_go_on() {
-    let parallel = TWO_BALLS.replacen('{', r#"{ "slabs": [[1, 0, 0], [2, 0, 0], [0, 0, 1]],"#, 1);
-    let folder = Folder::empty().with("s.json", parallel);
-    let why = "slabs[0] and slabs[1] of the scene are parallel; leave one of them out";
-    let text = text_of(&folder, "compare s.json --chart c.svg");
-    assert!(
-        text.contains(&format!("own slabs  not built: {why}\n")),
-        "{text}"
-    );
-    let json = json_of(&folder, "compare s.json");
-    let own = entry(&json, "hierarchy, bottom-up, own slabs");
-    assert_eq!(own["error"], why);
-    assert!(own["rays"].is_null());
-    assert_eq!(json["strategies"].as_array().unwrap().len(), 14);
-    assert_eq!(entry(&json, "heap, bottom-up")["object_tests"], 1);
-    let csv = text_of(&folder, "compare s.json --format csv");
-    let row = csv
-        .lines()
-        .map(cells)
-        .find(|row| row[0].contains("own"))
-        .unwrap();
-    assert_eq!(row.last().unwrap(), why);
-    assert!(
-        row[1..row.len() - 1].iter().all(String::is_empty),
-        "{row:?}"
-    );
-    let chart = String::from_utf8(folder.read("c.svg")).unwrap();
-    assert!(chart.contains(">not built</text>"), "{chart}");
 }
 
 #[test]

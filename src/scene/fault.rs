@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use crate::geometry::PolygonError;
+use crate::geometry::{PolygonError, SlabSetError};
 
 /// The largest magnitude of a coordinate, radius or coefficient: products of six of them, the most
 /// that any test multiplies, stay within f64.
@@ -47,6 +47,7 @@ pub enum Fault {
     SlabDirection {
         in_plane: bool,
     },
+    Slabs(SlabSetError),
     Polygon(PolygonError),
     UnknownMaterial {
         name: String,
@@ -107,6 +108,7 @@ impl Fault {
             Self::SlabDirection { .. } => {
                 "give every direction as [A, B, C], or all of a plane as [A, B]".into()
             }
+            Self::Slabs(error) => error.fix(),
             Self::Polygon(PolygonError::NotPlanar { .. }) => {
                 "divide it into triangles, or correct the vertex".into()
             }
@@ -177,6 +179,7 @@ impl fmt::Display for Fault {
                 };
                 write!(f, "a direction of slabs has {numbers}")
             }
+            Self::Slabs(error) => error.fmt(f),
             Self::Polygon(error) => error.fmt(f),
             Self::UnknownMaterial { name, .. } => write!(f, "there is no material {name:?}"),
             Self::EmptyName => f.write_str("the name is empty"),

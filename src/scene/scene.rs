@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use glam::DVec3;
 
-use crate::geometry::Sides;
+use crate::geometry::{Sides, slab_directions};
 use crate::scene::check::{checked_colour, checked_point, checked_positive, checked_weight};
 use crate::scene::fault::{DEEPEST, Fault, SceneFault};
 use crate::scene::file::{
@@ -318,6 +318,12 @@ fn slabs(file: Vec<Vec<f64>>) -> Result<Vec<DVec3>, SceneFault> {
     if in_plane {
         directions.push(DVec3::Z);
     }
+    slab_directions(&directions).map_err(|error| {
+        let path = error
+            .slab()
+            .map_or("slabs".into(), |slab| format!("slabs[{slab}]"));
+        Fault::Slabs(error).at(path)
+    })?;
     Ok(directions)
 }
 

@@ -6,12 +6,10 @@
 
 use std::ops::ControlFlow;
 
-use crate::geometry::Ray;
+use crate::geometry::{MOST_SLABS, Ray};
 use crate::scene::{Object, PrimitiveId, Scene};
 use crate::strategy::{Search, Strategy};
-use crate::structure::{
-    MOST_SLABS, NO_SLAB, SlabSet, Volume, VolumeKind, VolumeRay, crossed, reach,
-};
+use crate::structure::{NO_SLAB, SlabSet, Volume, VolumeKind, VolumeRay, crossed, reach};
 use crate::trace::{BoundOutcome, BoundTest, Bounded, Event, Recorder, SlabTest};
 
 /// Tests a ray against the volume around each object, in the order of the scene, and if it meets that where

@@ -1,13 +1,11 @@
 //! The strategy that was asked for by name: the one place that knows them all.
 
-use crate::geometry::Ray;
+use crate::geometry::{MOST_SLABS, Ray};
 use crate::scene::Scene;
 use crate::strategy::{
     BoundedObjects, DepthFirst, Exhaustive, HeapOrdered, Search, Strategy, UniformGrid, ZAligned,
 };
-use crate::structure::{
-    MOST_SLABS, SlabChoice, SlabSet, StructureError, StructureOptions, VolumeKind,
-};
+use crate::structure::{SlabChoice, SlabSet, StructureError, StructureOptions, VolumeKind};
 use crate::trace::{Recorder, StrategyName};
 
 /// One of the strategies, with its structure built. Which one is asked once for each ray.

@@ -36,5 +36,5 @@ pub(crate) use hierarchy::{range, reach};
 pub use options::{StructureError, StructureOptions};
 pub use slab_bound::{Inside, RaySlabs, SlabBound, SlabOutcome, SlabStep};
 pub(crate) use slab_bound::{NO_SLAB, crossed};
-pub use slab_set::{MOST_SLABS, SlabChoice, SlabSet, SlabSetError};
+pub use slab_set::{SlabChoice, SlabSet};
 pub use volume::{Volume, VolumeKind, VolumeRay};

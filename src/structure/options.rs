@@ -5,7 +5,8 @@ use std::fmt;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::structure::{Build, GridError, GridOptions, SlabChoice, SlabSetError, VolumeKind};
+use crate::geometry::SlabSetError;
+use crate::structure::{Build, GridError, GridOptions, SlabChoice, VolumeKind};
 
 /// What can be chosen about the structure of a strategy; each strategy looks at its own part.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -39,7 +40,7 @@ impl fmt::Display for StructureError {
                 "the scene has no \"slabs\"\n  add a list of directions [A, B, C] to it, or take the slabs \
                  axes or seven",
             ),
-            Self::Slabs(error) => error.fmt(f),
+            Self::Slabs(error) => write!(f, "{error}\n  {}", error.fix()),
             Self::Grid(error) => error.fmt(f),
         }
     }

@@ -3,14 +3,11 @@
 //! "Each slab is represented by equation (iv), where A, B and C are constant, and D is either D_min or
 //! D_max." So A, B and C are kept here once for all bounds.
 
-use std::fmt;
-
 use glam::DVec3;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// The most directions that a set may have. T. Kay and J. Kajiya (1986) found no gain beyond some ten.
-pub const MOST_SLABS: usize = 16;
+use crate::geometry::{MOST_SLABS, SlabSetError, slab_directions};
 
 /// Which set of slabs is taken?
 #[derive(
@@ -37,68 +34,6 @@ pub struct SlabSet<const N: usize> {
     /// Are the first three x, y and z? Then a product with them is a coordinate.
     axes_first: bool,
 }
-
-/// Why a list of directions is no set of slabs.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum SlabSetError {
-    /// A direction is zero or not finite.
-    NoDirection {
-        /// Its place in the list, from 0.
-        slab: usize,
-    },
-    /// Two directions are parallel: one slab would stand in the other's way.
-    Parallel {
-        /// The first of the two, from 0.
-        first: usize,
-        /// The second.
-        second: usize,
-    },
-    /// All lie in one plane: what they enclose goes on for ever across it.
-    Unbounded {
-        /// How many of them are independent.
-        independent: usize,
-    },
-    /// More than [`MOST_SLABS`].
-    TooMany {
-        /// How many there are.
-        count: usize,
-    },
-}
-
-impl fmt::Display for SlabSetError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match *self {
-            Self::NoDirection { slab } => {
-                write!(
-                    f,
-                    "slabs[{slab}] of the scene is zero\n  give it a direction [A, B, C], or leave it out"
-                )
-            }
-            Self::Parallel { first, second } => write!(
-                f,
-                "slabs[{first}] and slabs[{second}] of the scene are parallel\n  leave one of them out"
-            ),
-            Self::Unbounded { independent } => write!(
-                f,
-                "the slabs of the scene do not bound: they have {independent} of the 3 independent directions \
-                 that it takes\n  {}",
-                match independent {
-                    0 => "give three directions [A, B, C] that lie in no plane",
-                    1 => "add two directions that lie in no plane with the first",
-                    _ => "add a direction across the plane of the others",
-                }
-            ),
-            Self::TooMany { count } => {
-                write!(
-                    f,
-                    "the slabs of the scene have {count} directions\n  leave some out; {MOST_SLABS} are the most"
-                )
-            }
-        }
-    }
-}
-
-impl std::error::Error for SlabSetError {}
 
 impl SlabSet<3> {
     /// x, y and z: three slabs make a box.
@@ -149,40 +84,13 @@ impl SlabSet<MOST_SLABS> {
     /// assert_eq!(SlabSet::of(&directions).unwrap().directions().len(), 5);
     /// ```
     pub fn of(directions: &[DVec3]) -> Result<Self, SlabSetError> {
-        /// Two directions are parallel, or three in one plane, within the rounding of unit vectors.
-        const INDEPENDENT: f64 = 1e-9;
-        if MOST_SLABS < directions.len() {
-            let count = directions.len();
-            return Err(SlabSetError::TooMany { count });
-        }
+        let units = slab_directions(directions)?;
         let mut set = Self {
             directions: [DVec3::ZERO; MOST_SLABS],
-            len: directions.len(),
+            len: units.len(),
             axes_first: false,
         };
-        for (slab, (unit, direction)) in set.directions.iter_mut().zip(directions).enumerate() {
-            let largest = direction.abs().max_element();
-            // scaled first: the square of a tiny length would vanish
-            *unit = (*direction / largest)
-                .try_normalize()
-                .ok_or(SlabSetError::NoDirection { slab })?;
-        }
-        let units = set.directions();
-        for (second, b) in units.iter().enumerate() {
-            for (first, a) in units[..second].iter().enumerate() {
-                if a.cross(*b).length() <= INDEPENDENT {
-                    return Err(SlabSetError::Parallel { first, second });
-                }
-            }
-        }
-        let across = match units {
-            [] | [_] => DVec3::ZERO,
-            [a, b, ..] => a.cross(*b),
-        };
-        if !units.iter().any(|n| INDEPENDENT < n.dot(across).abs()) {
-            let independent = units.len().min(2);
-            return Err(SlabSetError::Unbounded { independent });
-        }
+        set.directions[..units.len()].copy_from_slice(&units);
         Ok(set)
     }
 }
@@ -217,43 +125,5 @@ impl<const N: usize> SlabSet<N> {
     #[inline]
     pub(crate) fn padded(&self) -> &[DVec3; N] {
         &self.directions
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn of(list: &[[f64; 3]]) -> Result<SlabSet<MOST_SLABS>, SlabSetError> {
-        let list: Vec<_> = list.iter().copied().map(DVec3::from).collect();
-        SlabSet::of(&list)
-    }
-
-    #[test]
-    fn fewer_than_three_independent_directions_do_not_bound() {
-        let unbounded = |independent| Err(SlabSetError::Unbounded { independent });
-        assert_eq!(of(&[]), unbounded(0));
-        assert_eq!(of(&[[1.0, 0.0, 0.0]]), unbounded(1));
-        let plane = [[1.0, 0.0, 0.0], [0.0, 2.0, 0.0], [1.0, 1.0, 0.0]];
-        assert_eq!(of(&plane), unbounded(2));
-    }
-
-    #[test]
-    fn parallel_and_zero_directions_are_refused_by_their_place() {
-        let parallel = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [-3.0, 0.0, 0.0]];
-        let expected = SlabSetError::Parallel {
-            first: 0,
-            second: 2,
-        };
-        assert_eq!(of(&parallel), Err(expected));
-        let zero = [[1.0, 0.0, 0.0], [0.0, 0.0, 0.0]];
-        assert_eq!(of(&zero), Err(SlabSetError::NoDirection { slab: 1 }));
-    }
-
-    #[test]
-    fn a_direction_of_any_length_is_brought_to_one() {
-        let set = of(&[[1e-40, 0.0, 0.0], [0.0, 3.0, 4.0], [0.0, -4.0, 3.0]]).unwrap();
-        assert_eq!(set.directions()[0], DVec3::X);
-        assert!((set.directions()[1] - DVec3::new(0.0, 0.6, 0.8)).length() <= 1e-15);
     }
 }

@@ -11,11 +11,11 @@ use glam::DVec3;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::geometry::{OrientedEllipsoid, QuadraticTest, Ray, Sides, Sphere, TRange};
+use crate::geometry::{MOST_SLABS, OrientedEllipsoid, QuadraticTest, Ray, Sides, Sphere, TRange};
 use crate::scene::Scene;
 use crate::structure::object_bounds::{ellipsoid_around, slabs_around, sphere_around};
 use crate::structure::slab_bound::ROOM;
-use crate::structure::{Inside, MOST_SLABS, RaySlabs, SlabBound, SlabSet, range};
+use crate::structure::{Inside, RaySlabs, SlabBound, SlabSet, range};
 
 /// Which volume is put around an object?
 #[derive(

@@ -172,7 +172,7 @@ fn slabs_that_do_not_bound_are_told() {
     assert_data_eq!(
         refuses_slabs("[[1, 0, 0], [0, 1, 0], [1, 1, 0]]"),
         str![[r#"
-error: --slabs scene: the slabs of the scene do not bound: they have 2 of the 3 independent directions that it takes
+error: scene.json, line 1, at slabs: the slabs do not bound: they have 2 of the 3 independent directions that it takes
   add a direction across the plane of the others
 
 "#]]
@@ -180,7 +180,7 @@ error: --slabs scene: the slabs of the scene do not bound: they have 2 of the 3 
     assert_data_eq!(
         refuses_slabs("[[1, 0, 0]]"),
         str![[r#"
-error: --slabs scene: the slabs of the scene do not bound: they have 1 of the 3 independent directions that it takes
+error: scene.json, line 1, at slabs: the slabs do not bound: they have 1 of the 3 independent directions that it takes
   add two directions that lie in no plane with the first
 
 "#]]
@@ -188,7 +188,7 @@ error: --slabs scene: the slabs of the scene do not bound: they have 1 of the 3 
     assert_data_eq!(
         refuses_slabs("[]"),
         str![[r#"
-error: --slabs scene: the slabs of the scene do not bound: they have 0 of the 3 independent directions that it takes
+error: scene.json, line 1, at slabs: the slabs do not bound: they have 0 of the 3 independent directions that it takes
   give three directions [A, B, C] that lie in no plane
 
 "#]]
@@ -200,7 +200,7 @@ fn parallel_slabs_are_told() {
     assert_data_eq!(
         refuses_slabs("[[1, 0, 0], [0, 1, 0], [-3, 0, 0]]"),
         str![[r#"
-error: --slabs scene: slabs[0] and slabs[2] of the scene are parallel
+error: scene.json, line 1, at slabs[2]: slabs[0] and slabs[2] are parallel
   leave one of them out
 
 "#]]
@@ -212,7 +212,7 @@ fn a_slab_without_a_direction_is_told() {
     assert_data_eq!(
         refuses_slabs("[[1, 0, 0], [0, 0, 0], [0, 1, 0]]"),
         str![[r#"
-error: --slabs scene: slabs[1] of the scene is zero
+error: scene.json, line 1, at slabs[1]: slabs[1] is zero
   give it a direction [A, B, C], or leave it out
 
 "#]]
@@ -240,12 +240,27 @@ error: scene.json, line 1, at slabs[2]: a direction of slabs has 3 numbers
 }
 
 #[test]
+fn slabs_that_no_strategy_looks_at_are_told_with_the_line_they_stand_in() {
+    // what went wrong: only --slabs scene noticed them, and did not say where they stand
+    let slabs = "{\n  \"slabs\": [[1, 0, 0],\n    [0, 1, 0],\n    [0, -2, 0]],";
+    let folder = Folder::empty().with("scene.json", SCENE.replacen('{', slabs, 1));
+    assert_data_eq!(
+        refuses_in(&folder, "render scene.json"),
+        str![[r#"
+error: scene.json, line 4, at slabs[2]: slabs[1] and slabs[2] are parallel
+  leave one of them out
+
+"#]]
+    );
+}
+
+#[test]
 fn more_than_sixteen_slabs_are_told() {
     let slabs: Vec<_> = (1..=17).map(|z| format!("[1, {}, {z}]", z * z)).collect();
     assert_data_eq!(
         refuses_slabs(&format!("[{}]", slabs.join(", "))),
         str![[r#"
-error: --slabs scene: the slabs of the scene have 17 directions
+error: scene.json, line 1, at slabs: the slabs have 17 directions
   leave some out; 16 are the most
 
 "#]]
