@@ -77,7 +77,7 @@ pub use strategy::{
 };
 pub use structure::{
     Across, AssignStep, Build, CellStep, Grid, GridError, GridOptions, GridWalk, Hierarchy, Inside,
-    Link, Lists, MOST_CELLS, MergeStep, Node, RaySlabs, Share, SlabBound,
+    Link, Lists, MOST_CELLS, MOST_CELLS_ALONG, MergeStep, Node, RaySlabs, Share, SlabBound,
     SlabChoice, SlabOutcome, SlabSet, SlabStep, StructureError, StructureOptions, Volume,
     VolumeKind, VolumeRay, extent,
 };

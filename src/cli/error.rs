@@ -214,9 +214,9 @@ fn option_of(fault: &StructureError) -> Option<&'static str> {
     match fault {
         StructureError::NoSlabs | StructureError::Slabs(_) => Some("--slabs scene"),
         StructureError::Grid(GridError::Density { .. }) => Some("--density"),
-        StructureError::Grid(GridError::NoCells { .. } | GridError::TooThin { .. }) => {
-            Some("--grid")
-        }
+        StructureError::Grid(
+            GridError::NoCells { .. } | GridError::TooManyAlong { .. } | GridError::TooThin { .. },
+        ) => Some("--grid"),
         StructureError::Grid(GridError::TooManyCells { .. } | GridError::TooManyEntries { .. }) => {
             None
         }

@@ -5,6 +5,13 @@ use std::fmt;
 /// The most cells of a grid: their lists' places take 256 MB.
 pub const MOST_CELLS: u32 = 64 << 20;
 
+/// The most cells along one axis that may be asked for.
+///
+/// A ray along the axis steps through a whole row of cells, and each is an event of the log: a picture of 160 × 120
+/// pixels has 80 million of them with 4096 cells in a row. Woo's rule may give more, where it is the objects that
+/// are many.
+pub const MOST_CELLS_ALONG: u32 = 1 << 12;
+
 /// The most entries of all lists together: they take 1 GB.
 pub(crate) const MOST_ENTRIES: u32 = 256 << 20;
 
@@ -25,6 +32,13 @@ pub enum GridError {
     TooManyCells {
         /// How many there would be.
         cells: f64,
+    },
+    /// More than [`MOST_CELLS_ALONG`] an axis.
+    TooManyAlong {
+        /// Along which axis: 0 for x, 1 for y, 2 for z.
+        axis: usize,
+        /// How many there would be.
+        cells: u32,
     },
     /// Cells so thin that their planes would lie on top of each other.
     TooThin {
@@ -64,6 +78,12 @@ impl fmt::Display for GridError {
                 } else {
                     format!("{cells:.0e}")
                 }
+            ),
+            Self::TooManyAlong { axis, cells } => write!(
+                f,
+                "a ray along {} would step through {cells} cells, one after the other\n  \
+                 give at most {MOST_CELLS_ALONG} along each axis",
+                ["x", "y", "z"][axis.min(2)]
             ),
             Self::TooThin { axis, most } => write!(
                 f,

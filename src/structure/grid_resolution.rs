@@ -3,12 +3,12 @@
 use glam::DVec3;
 
 use crate::structure::cell_planes::CellPlanes;
-use crate::structure::{GridError, GridOptions, MOST_CELLS};
+use crate::structure::{GridError, GridOptions, MOST_CELLS, MOST_CELLS_ALONG};
 
 /// Cells along x, y and z of a grid over `objects` objects in a box: as they are given, or by Woo's rule.
 ///
 /// # Errors
-/// A density that is not above 0, no cells, too many, or too thin ones.
+/// A density that is not above 0, no cells, too many in all or in a row, or too thin ones.
 pub(super) fn resolution(
     min: DVec3,
     max: DVec3,
@@ -31,8 +31,11 @@ pub(super) fn resolution(
     if f64::from(MOST_CELLS) < cells {
         return Err(GridError::TooManyCells { cells });
     }
-    for axis in 0..3 {
-        if most[axis] < along[axis] && options.resolution.is_some() {
+    for (axis, cells) in options.resolution.into_iter().flatten().enumerate() {
+        if MOST_CELLS_ALONG < cells {
+            return Err(GridError::TooManyAlong { axis, cells });
+        }
+        if most[axis] < f64::from(cells) {
             let most = most[axis] as u32;
             return Err(GridError::TooThin { axis, most });
         }
@@ -132,6 +135,12 @@ mod tests {
         let many = GridError::TooManyCells { cells: 1e9 };
         assert_eq!(refused(of([1000; 3])), Err(many));
         assert!(refused(of([u32::MAX; 3])).is_err());
+        let row = GridError::TooManyAlong {
+            axis: 1,
+            cells: 4097,
+        };
+        assert_eq!(refused(of([1, 4097, 1])), Err(row));
+        assert_eq!(refused(of([1, 4096, 1])), Ok([1, 4096, 1]));
         assert!(refused(with(1e300)).is_err());
     }
 }

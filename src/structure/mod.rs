@@ -29,7 +29,7 @@ mod volume;
 pub use cell_step::{Across, CellStep};
 pub use extent::extent;
 pub use grid::{AssignStep, Grid, GridOptions, Lists, Share};
-pub use grid_error::{GridError, MOST_CELLS};
+pub use grid_error::{GridError, MOST_CELLS, MOST_CELLS_ALONG};
 pub use grid_walk::GridWalk;
 pub use hierarchy::{Build, Hierarchy, Link, MergeStep, Node};
 pub(crate) use hierarchy::{range, reach};

@@ -113,6 +113,27 @@ error: -1: no number of this command is negative; pixels count from 0,0 at the t
 }
 
 #[test]
+fn a_grid_of_a_million_cells_in_a_row_is_told() {
+    // what went wrong: it was built, and every ray along x took a million steps
+    assert_data_eq!(
+        refuses_options("--strategy grid --grid 1000000,1,1"),
+        str![[r#"
+error: --grid: a ray along x would step through 1000000 cells, one after the other
+  give at most 4096 along each axis
+
+"#]]
+    );
+    assert_data_eq!(
+        refuses_options("--strategy grid --grid 1,4097,1"),
+        str![[r#"
+error: --grid: a ray along y would step through 4097 cells, one after the other
+  give at most 4096 along each axis
+
+"#]]
+    );
+}
+
+#[test]
 fn a_density_of_more_cells_than_there_is_memory_is_told() {
     assert_data_eq!(
         refuses_options("--strategy grid --density 1e300"),
