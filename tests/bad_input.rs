@@ -6,6 +6,7 @@
 
 mod arguments;
 mod nff_and_obj;
+mod options;
 mod scenes;
 mod structures;
 mod targets;

@@ -52,7 +52,7 @@ pub(crate) struct Tracing {
     /// Volume around each object, for bounds [default: box]
     #[arg(long, value_enum, value_name = "NAME")]
     pub(crate) volume: Option<VolumeKind>,
-    /// Directions of slabs, for bounds, hierarchy and heap [default: axes]
+    /// Directions of slabs, for hierarchy, heap, and bounds with the volume slabs [default: axes]
     #[arg(long, value_enum, value_name = "NAME")]
     pub(crate) slabs: Option<SlabChoice>,
     /// How the tree is built, for hierarchy and heap [default: bottom-up]
@@ -62,7 +62,8 @@ pub(crate) struct Tracing {
     #[arg(long, value_name = "NX,NY,NZ", value_parser = cells)]
     pub(crate) grid: Option<[u32; 3]>,
     /// Cells for each object, for grid [default: 3]
-    #[arg(long, value_name = "D", conflicts_with = "grid")]
+    #[arg(long, value_name = "D", value_parser = density, conflicts_with = "grid")]
+    #[arg(allow_hyphen_values = true)]
     pub(crate) density: Option<f64>,
     /// By what objects are put into cells, for grid [default: objects]
     #[arg(long, value_enum, value_name = "NAME")]
@@ -70,7 +71,7 @@ pub(crate) struct Tracing {
     /// Test an object in every cell that lists it, for grid
     #[arg(long)]
     pub(crate) no_mailboxes: bool,
-    /// Record how the hierarchy or the grid is built
+    /// Record how the structure is built, for hierarchy, heap and grid
     #[arg(long)]
     pub(crate) building: bool,
     /// Which rays there are.
@@ -294,22 +295,23 @@ pub(crate) struct CompletionsArgs {
 /// No number of this command is negative, and `-1,2` would look like an option: it is refused before
 /// the options are read.
 pub(crate) fn refuse_negative(arguments: &[OsString]) -> Result<(), Error> {
-    let mut words = arguments.iter().skip(1).map(|word| word.to_string_lossy());
-    let negative = words.by_ref().take_while(|word| word != "--").find(|word| {
+    let words = arguments.iter().map(|word| word.to_string_lossy());
+    let pairs = words.clone().zip(words.skip(1));
+    for (before, word) in pairs.take_while(|(_, word)| word != "--") {
         // also as --ray=-1
-        let value = match word.split_once('=') {
-            Some((option, value)) if option.starts_with("--") => value,
-            _ => word,
+        let (option, value) = match word.split_once('=') {
+            Some((option, value)) if option.starts_with("--") => (option, value),
+            _ => (&*before, &*word),
         };
         let digits = value.strip_prefix('-').unwrap_or_default();
-        digits.starts_with(|c: char| c.is_ascii_digit() || c == '.')
-    });
-    match negative {
-        Some(argument) => Err(Error::Negative {
-            argument: argument.into_owned(),
-        }),
-        None => Ok(()),
+        let is_negative = digits.starts_with(|c: char| c.is_ascii_digit() || c == '.');
+        // a density has a message of its own for all that is none
+        if is_negative && option != "--density" {
+            let argument = word.into_owned();
+            return Err(Error::Negative { argument });
+        }
     }
+    Ok(())
 }
 
 /// `X,Y`; whether the picture has such a pixel is asked later.
@@ -331,6 +333,14 @@ fn cells(text: &str) -> Result<[u32; 3], String> {
     match (numbers.try_into(), text.matches(',').count()) {
         (Ok(cells), 2) => Ok(cells),
         _ => Err("give the cells along x, y and z, as in 46,46,3".into()),
+    }
+}
+
+/// Cells for each object.
+fn density(text: &str) -> Result<f64, String> {
+    match text.trim().parse() {
+        Ok(density) if 0.0 < density && density < f64::INFINITY => Ok(density),
+        _ => Err("give a number of cells for each object above 0, such as 3".into()),
     }
 }
 
@@ -370,10 +380,17 @@ mod tests {
             ["raystep", "-1,2"],
             ["raystep", "--ray=-1"],
             ["raystep", "-.5"],
+            ["--ray", "-1"],
         ] {
             assert!(refused(&words), "{words:?}");
         }
-        for words in [["raystep", "-"], ["raystep", "--ray=1"], ["raystep", "-o"]] {
+        for words in [
+            ["raystep", "-"],
+            ["raystep", "--ray=1"],
+            ["raystep", "-o"],
+            ["raystep", "--density=-1"],
+            ["--density", "-1"],
+        ] {
             assert!(!refused(&words), "{words:?}");
         }
         assert!(!refused(&["raystep", "--", "-1.json"]));

@@ -26,6 +26,15 @@ pub(crate) enum Error {
         /// What is wrong with its value.
         fault: Fault,
     },
+    /// The strategy does not look at an option.
+    Unused {
+        /// The option.
+        option: &'static str,
+        /// The options that choose the strategy.
+        chosen: String,
+        /// The options that choose each strategy that looks at it.
+        users: Vec<String>,
+    },
     /// The structure of the strategy cannot be built.
     Structure {
         /// Why.
@@ -137,6 +146,15 @@ impl fmt::Display for Error {
             Self::Load(error) => error.fmt(f),
             Self::Log(error) => error.fmt(f),
             Self::Option { option, fault } => write!(f, "{option}: {fault}\n  {}", fault.fix()),
+            Self::Unused {
+                option,
+                chosen,
+                users,
+            } => write!(
+                f,
+                "{option} has no effect with {chosen}\n  leave it away, or take {}",
+                users.join(" or ")
+            ),
             Self::Structure { fault } => match option_of(fault) {
                 Some(option) => write!(f, "{option}: {fault}"),
                 None => fault.fmt(f),

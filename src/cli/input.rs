@@ -11,6 +11,7 @@ use raystep::{
 
 use crate::cli::Error;
 use crate::cli::args::Tracing;
+use crate::cli::structure_options::{STRUCTURE_OPTIONS, refuse_unused};
 
 /// A log that is read while it comes in.
 pub(crate) type Log = LogReader<Box<dyn BufRead>>;
@@ -94,6 +95,9 @@ pub(crate) fn ready(
     tracing: &Tracing,
     started: Instant,
 ) -> Result<Ready, Error> {
+    let strategy = tracing.strategy.unwrap_or_default();
+    let structure = tracing.structure();
+    refuse_unused(tracing, strategy, &structure)?;
     if let Some(pixels) = tracing.casting.pixels {
         loaded.scene.camera.pixels = pixels;
     }
@@ -126,8 +130,8 @@ pub(crate) fn ready(
         scene = scene.one_sided();
     }
     let settings = Settings {
-        strategy: tracing.strategy.unwrap_or_default(),
-        structure: tracing.structure(),
+        strategy,
+        structure,
         building: tracing.building,
         transport: tracing.casting.transport.unwrap_or_default(),
         through: tracing.casting.through.unwrap_or_default(),
@@ -144,23 +148,19 @@ pub(crate) fn ready(
 
 /// Refuses options that would trace anew what a log has traced already.
 pub(crate) fn refuse_tracing(path: &Path, tracing: &Tracing) -> Result<(), Error> {
-    let given = [
-        ("--strategy", tracing.strategy.is_some()),
-        ("--volume", tracing.volume.is_some()),
-        ("--slabs", tracing.slabs.is_some()),
-        ("--build", tracing.build.is_some()),
-        ("--grid", tracing.grid.is_some()),
-        ("--density", tracing.density.is_some()),
-        ("--lists", tracing.lists.is_some()),
-        ("--no-mailboxes", tracing.no_mailboxes),
-        ("--building", tracing.building),
+    let structure = STRUCTURE_OPTIONS
+        .iter()
+        .map(|option| (option.name, (option.is_given)(tracing)));
+    let casting = [
         ("--transport", tracing.casting.transport.is_some()),
         ("--pixels", tracing.casting.pixels.is_some()),
         ("--max-depth", tracing.casting.max_depth.is_some()),
         ("--one-sided", tracing.casting.one_sided),
         ("--through", tracing.casting.through.is_some()),
     ];
-    let given = given.into_iter().filter(|(_, is_given)| *is_given);
+    let strategy = [("--strategy", tracing.strategy.is_some())];
+    let given = strategy.into_iter().chain(structure).chain(casting);
+    let given = given.filter(|(_, is_given)| *is_given);
     let names: Vec<&str> = given.map(|(name, _)| name).collect();
     let asks = if names.len() == 1 {
         "asks for"

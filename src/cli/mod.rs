@@ -12,6 +12,7 @@ mod progress;
 mod render;
 mod schema;
 mod stats;
+mod structure_options;
 mod trace;
 
 pub(crate) use error::Error;
