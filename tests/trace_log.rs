@@ -1,6 +1,7 @@
 //! The log: what is written reads back bit for bit, whoever writes it and however much is left out.
 
 mod damaged;
+mod impossible;
 pub(crate) mod strategies;
 
 use std::io::{self, Write};

@@ -4,6 +4,7 @@ use std::io::BufRead;
 
 use crate::scene::file::ObjectFile;
 use crate::scene::{Scene, SceneFile};
+use crate::trace::limits::Limits;
 use crate::trace::line_reader::{Damage, parse_event};
 use crate::trace::log_writer::{Header, LOG_VERSION, ObjectLine};
 use crate::trace::name_table::NameTable;
@@ -25,6 +26,8 @@ pub struct LogReader<R> {
     settings: Settings,
     /// What each line's numbers must be, if no kind was left out.
     numbering: Option<Numbering>,
+    /// What its numbers can be at all.
+    limits: Limits,
 }
 
 impl<R: BufRead> LogReader<R> {
@@ -75,6 +78,7 @@ impl<R: BufRead> LogReader<R> {
             number,
             pending,
             names: NameTable::new(&scene),
+            limits: Limits::new(&scene, &settings),
             scene,
             numbering: settings.only.is_none().then(Numbering::default),
             settings,
@@ -108,6 +112,7 @@ impl<R: BufRead> LogReader<R> {
         }
         let damaged = |damage: Damage| damage.at(&self.file, self.number);
         let record = parse_event(&self.line, &self.names).map_err(damaged)?;
+        self.limits.check(&record).map_err(damaged)?;
         if let Some(numbering) = &mut self.numbering {
             out_of_place(&record, &numbering.place(&record.event)).map_err(damaged)?;
         }

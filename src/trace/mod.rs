@@ -8,6 +8,7 @@ mod filter;
 mod flat_json;
 mod kind;
 mod kinds;
+mod limits;
 mod line_reader;
 mod line_scanner;
 mod log_error;
