@@ -41,15 +41,15 @@ Pixel (80, 60) of "two balls over a floor"
 what is around objects is wider than they are by some 1e-10 of the coordinates, so that rounding cuts nothing off
 
 Built before the first ray
-  node 4 from 5 and 6, slab 0: D_min = min(-1, -3) = -3, D_max = max(1, -1) = 1
-  node 4 from 5 and 6, slab 1: D_min = min(-2, -1.5) = -2, D_max = max(2e-10, -0.5) = 2e-10
-  node 4 from 5 and 6, slab 2: D_min = min(-1, -0.5) = -1, D_max = max(1, 0.5) = 1
-  node 1 from 3 and 4, slab 0: D_min = min(2, -3) = -3, D_max = max(3, 1) = 3
-  node 1 from 3 and 4, slab 1: D_min = min(-1, -2) = -2, D_max = max(3e-10, 2e-10) = 3e-10
-  node 1 from 3 and 4, slab 2: D_min = min(-3e-10, -1) = -1, D_max = max(1, 1) = 1
-  node 0 from 1 and 2, slab 0: D_min = min(-3, -9) = -9, D_max = max(3, 9) = 9
-  node 0 from 1 and 2, slab 1: D_min = min(-2, -9.02046e-10) = -2, D_max = max(3e-10, 9.02046e-10) = 9.02046e-10
-  node 0 from 1 and 2, slab 2: D_min = min(-1, -9) = -9, D_max = max(1, 9) = 9
+  node 4 from leaf 5 (A) and leaf 6 (B), slab 0: D_min = min(-1, -3) = -3, D_max = max(1, -1) = 1
+  node 4 from leaf 5 (A) and leaf 6 (B), slab 1: D_min = min(-2, -1.5) = -2, D_max = max(2e-10, -0.5) = 2e-10
+  node 4 from leaf 5 (A) and leaf 6 (B), slab 2: D_min = min(-1, -0.5) = -1, D_max = max(1, 0.5) = 1
+  node 1 from leaf 3 (C) and node 4, slab 0: D_min = min(2, -3) = -3, D_max = max(3, 1) = 3
+  node 1 from leaf 3 (C) and node 4, slab 1: D_min = min(-1, -2) = -2, D_max = max(3e-10, 2e-10) = 3e-10
+  node 1 from leaf 3 (C) and node 4, slab 2: D_min = min(-3e-10, -1) = -1, D_max = max(1, 1) = 1
+  node 0 from node 1 and leaf 2 (floor), slab 0: D_min = min(-3, -9) = -9, D_max = max(3, 9) = 9
+  node 0 from node 1 and leaf 2 (floor), slab 1: D_min = min(-2, -9.02046e-10) = -2, D_max = max(3e-10, 9.02046e-10) = 9.02046e-10
+  node 0 from node 1 and leaf 2 (floor), slab 2: D_min = min(-1, -9) = -9, D_max = max(1, 9) = 9
 
 Ray 0: from the eye, depth 1
 

@@ -7,6 +7,7 @@
 mod aligned;
 mod arrival;
 mod cells;
+mod leaves;
 mod misses;
 mod nodes;
 mod polygon;
@@ -18,10 +19,13 @@ mod slabs;
 mod steps;
 mod volumes;
 
+use std::cell::OnceCell;
+
 use glam::DVec3;
 
 use crate::explain::number::Digits;
 use crate::explain::page::{Page, Tone, printable};
+use crate::explain::worked::leaves::Leaves;
 use crate::explain::worked::search::BUILDING;
 use crate::scene::{PrimitiveId, Scene};
 use crate::trace::{
@@ -127,9 +131,10 @@ impl Solution<'_> {
         self.page.gap();
         self.page.line(Tone::Heading, "Built before the first ray");
         self.page.indent();
+        let leaves = OnceCell::new();
         for event in built.iter().take(shown) {
             match event {
-                Event::Merge(step) => self.merge(step),
+                Event::Merge(step) => self.merge(step, leaves.get_or_init(|| Leaves::of(self))),
                 Event::Assign(step) => self.assign(step),
                 _ => {}
             }

@@ -4,6 +4,7 @@ use crate::explain::number::Digits;
 use crate::explain::page::Tone;
 use crate::explain::worked::Solution;
 use crate::explain::worked::count;
+use crate::explain::worked::leaves::Leaves;
 use crate::explain::worked::search::refused_node;
 use crate::explain::worked::steps::Course;
 use crate::structure::MergeStep;
@@ -73,15 +74,15 @@ impl Solution<'_> {
     }
 
     /// D_min and D_max of two volumes together.
-    pub(super) fn merge(&mut self, step: &MergeStep) {
+    pub(super) fn merge(&mut self, step: &MergeStep, leaves: &Leaves) {
         let d = Digits::USUAL;
         let ([a_min, b_min], [a_max, b_max]) = (step.d_min, step.d_max);
         let (d_min, d_max) = step.joined();
         self.page.plain(format!(
             "node {} from {} and {}, slab {}: D_min = min({}, {}) = {}, D_max = max({}, {}) = {}",
             step.node,
-            step.first,
-            step.second,
+            leaves.name(step.first, self),
+            leaves.name(step.second, self),
             step.slab,
             d.number(a_min),
             d.number(b_min),
