@@ -11,6 +11,7 @@ use crate::scene::PrimitiveId;
 use crate::trace::flat_json::Json;
 use crate::trace::number_texts::NumberTexts;
 use crate::trace::scanner::Scanner;
+use crate::trace::small_numbers::append_whole;
 use crate::trace::{Event, Record};
 
 /// Something with fields in a log line.
@@ -91,7 +92,7 @@ pub(super) trait Field: Copy + Default {
 
 impl Field for f64 {
     // apart, so that what is around it is small enough to stand where its key is known
-    #[inline]
+    #[inline(never)]
     fn write(&self, texts: &mut NumberTexts, line: &mut Vec<u8>) -> bool {
         if !self.is_finite() {
             return false;
@@ -120,14 +121,7 @@ impl Field for f64 {
 impl Field for u32 {
     #[inline]
     fn write(&self, _: &mut NumberTexts, line: &mut Vec<u8>) -> bool {
-        // steps, pixels, rays and faces are short: so many bytes are one copy
-        let digit = |place: Self| b'0' + (*self / place % 10) as u8;
-        match *self {
-            0..10 => line.push(digit(1)),
-            10..100 => line.extend_from_slice(&[digit(10), digit(1)]),
-            100..1000 => line.extend_from_slice(&[digit(100), digit(10), digit(1)]),
-            _ => line.extend_from_slice(itoa::Buffer::new().format(*self).as_bytes()),
-        }
+        append_whole(*self, line);
         true
     }
 

@@ -23,6 +23,7 @@ mod schema;
 mod search;
 mod search_kinds;
 mod settings;
+mod small_numbers;
 mod words;
 
 pub use counts::{Counts, RayCount, SearchCount, TestCount};

@@ -8,6 +8,9 @@
 /// holds beside the lines.
 const REMEMBERED: usize = 1 << 12;
 
+/// The longest text that is remembered: with the bits and the length it takes 32 bytes.
+const LONGEST: usize = 23;
+
 /// Writes numbers, and knows the texts of some.
 ///
 /// [`NumberTexts::default`] remembers none and takes no memory.
@@ -20,7 +23,7 @@ pub(super) struct NumberTexts {
 #[derive(Clone, Copy, Debug)]
 struct Known {
     bits: u64,
-    text: [u8; 23],
+    text: [u8; LONGEST],
     length: u8,
 }
 
@@ -30,7 +33,7 @@ impl NumberTexts {
         let none = Known {
             // not a number: never asked for
             bits: f64::NAN.to_bits(),
-            text: [0; 23],
+            text: [0; LONGEST],
             length: 0,
         };
         Self {
@@ -52,12 +55,7 @@ impl NumberTexts {
         }
         let bits = value.to_bits();
         match self.known.get(place(bits)) {
-            Some(known) if known.bits == bits => {
-                // a copy of a fixed length is a few instructions, of any other a call
-                let end = line.len() + usize::from(known.length);
-                line.extend_from_slice(&known.text);
-                line.truncate(end);
-            }
+            Some(known) if known.bits == bits => known.append(line),
             _ => self.form(value, line),
         }
     }
@@ -66,16 +64,34 @@ impl NumberTexts {
     #[inline(never)]
     fn form(&mut self, value: f64, line: &mut Vec<u8>) {
         let mut buffer = zmij::Buffer::new();
-        let text = buffer.format_finite(value).as_bytes();
-        line.extend_from_slice(text);
+        let digits = buffer.format_finite(value).as_bytes();
         let bits = value.to_bits();
-        if let Some(known) = self.known.get_mut(place(bits))
-            && let Some(start) = known.text.get_mut(..text.len())
-        {
-            start.copy_from_slice(text);
-            known.length = text.len() as u8;
-            known.bits = bits;
+        let mut text = [0; LONGEST];
+        let Some(start) = text.get_mut(..digits.len()) else {
+            // a sign and all digits with an exponent below -99: too rare to be remembered
+            line.extend_from_slice(digits);
+            return;
+        };
+        start.copy_from_slice(digits);
+        let known = Known {
+            bits,
+            text,
+            length: digits.len() as u8,
+        };
+        known.append(line);
+        if let Some(place) = self.known.get_mut(place(bits)) {
+            *place = known;
         }
+    }
+}
+
+impl Known {
+    /// Appends the text: a copy of a fixed length is a few instructions, of any other a call.
+    #[inline]
+    fn append(&self, line: &mut Vec<u8>) {
+        let end = line.len() + usize::from(self.length);
+        line.extend_from_slice(&self.text);
+        line.truncate(end);
     }
 }
 
