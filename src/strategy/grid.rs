@@ -11,7 +11,7 @@ use crate::geometry::{Ray, TRange};
 use crate::scene::{PrimitiveId, Scene};
 use crate::strategy::mailbox::Mailboxes;
 use crate::strategy::{Search, Strategy, test_primitive};
-use crate::structure::{CellStep, Grid, GridError, GridOptions};
+use crate::structure::{Grid, GridError, GridOptions};
 use crate::trace::{CellVisit, Event, GridEnter, GridExit, HitOutsideCell, Recorder, WalkEnd};
 
 /// Tests the objects of the cells that a ray pierces, cell by cell.
@@ -61,7 +61,7 @@ impl<'a> UniformGrid<'a> {
                 max: range.max * (1.0 + STRETCH),
             },
         );
-        let first = walk.cell();
+        let first = if R::ENABLED { walk.cell() } else { None };
         recorder.note(|| {
             Event::GridEnter(GridEnter {
                 min: self.grid.min(),
@@ -73,19 +73,25 @@ impl<'a> UniformGrid<'a> {
         });
         let mut end = first.map_or(WalkEnd::Outside, |_| WalkEnd::Left);
         let mut cells = 0;
-        while let Some((number, step)) = walk.step() {
+        loop {
+            let entering = if R::ENABLED { walk.entering() } else { None };
+            let Some((number, leaving)) = walk.step() else {
+                break;
+            };
             cells += 1;
             let listed = self.grid.listed(number);
-            recorder.note(|| {
-                Event::Cell(CellVisit {
-                    step,
-                    listed: listed.len() as u32,
-                })
-            });
-            let tested = self.test_listed(listed, &step, ray, search, recorder, &mut is_first);
+            if let Some(entering) = entering {
+                recorder.note(|| {
+                    Event::Cell(CellVisit {
+                        step: leaving.completes(entering),
+                        listed: listed.len() as u32,
+                    })
+                });
+            }
+            let tested = self.test_listed(listed, leaving.t, ray, search, recorder, &mut is_first);
             // equal t does not end it: of two such hits the object first in the scene wins
             let nearest = search.range().max;
-            let is_passed = nearest < range.max && nearest * (1.0 + STRETCH) < step.t_out;
+            let is_passed = nearest < range.max && nearest * (1.0 + STRETCH) < leaving.t;
             if tested.is_break() || is_passed {
                 end = WalkEnd::HitInCell;
                 break;
@@ -99,7 +105,7 @@ impl<'a> UniformGrid<'a> {
     fn test_listed<R: Recorder>(
         &self,
         listed: &[PrimitiveId],
-        step: &CellStep,
+        t_out: f64,
         ray: &Ray,
         search: &mut impl Search,
         recorder: &mut R,
@@ -116,12 +122,12 @@ impl<'a> UniformGrid<'a> {
                 continue;
             };
             let offered = search.offer(object, t, recorder);
-            if step.t_out < t {
+            if t_out < t {
                 recorder.note(|| {
                     Event::HitOutsideCell(HitOutsideCell {
                         object,
                         t,
-                        t_out: step.t_out,
+                        t_out,
                     })
                 });
             }

@@ -4,7 +4,7 @@ use std::cmp::Ordering;
 
 use crate::geometry::{Ray, TRange};
 use crate::structure::cell_planes::CellPlanes;
-use crate::structure::ray_order::Meeting;
+use crate::structure::ray_order::{Meeting, clearly_before};
 
 /// The first cell that a ray pierces in its range.
 #[derive(Clone, Copy, Debug)]
@@ -22,11 +22,92 @@ pub(super) struct Start {
 /// first one met *after* t₀: so a ray that runs down from a plane starts in the cell below, and one that
 /// only touches the grid in a point has no first cell. Along an axis in which it does not move, the cell owns
 /// its lower plane, and the last cell both.
+///
+/// `inverse` is 1/Δ along each axis, or no number.
 #[inline]
-pub(super) fn start(cells: &CellPlanes, ray: &Ray, range: TRange) -> Option<Start> {
+pub(super) fn start(
+    cells: &CellPlanes,
+    ray: &Ray,
+    inverse: [f64; 3],
+    range: TRange,
+) -> Option<Start> {
     if cells.count() == 0 {
         return None;
     }
+    match plain_start(cells, ray, inverse, range) {
+        Plain::Cell(start) => Some(start),
+        Plain::PassesBy => None,
+        Plain::Unsure => exact_start(cells, ray, range),
+    }
+}
+
+/// What f64 says of the first cell.
+enum Plain {
+    /// It is this one.
+    Cell(Start),
+    /// There is none.
+    PassesBy,
+    /// Something is too near to something else, or the ray does not move along an axis.
+    Unsure,
+}
+
+/// The first cell by plain arithmetic, if that leaves no doubt.
+///
+/// It does not where the two t of a comparison are not clearly one before the other: [`exact_start`] then
+/// decides. Nearly every ray is spared that.
+#[inline]
+fn plain_start(cells: &CellPlanes, ray: &Ray, inverse: [f64; 3], range: TRange) -> Plain {
+    let (mut begin, mut end) = (range.min.max(0.0), range.max);
+    for (axis, inverse) in inverse.iter().enumerate() {
+        let planes = cells.axis(axis);
+        let t = |plane: f64| (plane - ray.origin[axis]) * inverse;
+        let (at_low, at_high) = (t(planes[0]), t(planes[planes.len() - 1]));
+        let (near, far) = if at_low < at_high {
+            (at_low, at_high)
+        } else {
+            (at_high, at_low)
+        };
+        // what is no number is left out here, and never certain below
+        begin = if begin < near { near } else { begin };
+        end = if far < end { far } else { end };
+    }
+    if !clearly_before(begin, end) {
+        let passes_by =
+            clearly_before(end, begin) && inverse.iter().all(|inverse| !inverse.is_nan());
+        return if passes_by {
+            Plain::PassesBy
+        } else {
+            Plain::Unsure
+        };
+    }
+    let mut cell = [0; 3];
+    let mut certain = true;
+    for axis in 0..3 {
+        let planes = cells.axis(axis);
+        let (origin, direction) = (ray.origin[axis], ray.direction[axis]);
+        let t = |plane: f64| (plane - origin) * inverse[axis];
+        let at = cells.near(axis, origin + begin * direction);
+        let (low, high) = (t(planes[at]), t(planes[at + 1]));
+        let (enters, leaves, outermost) = if 0.0 < direction {
+            (low, high, 0)
+        } else {
+            (high, low, planes.len() - 2)
+        };
+        // the first cell behind the outer plane was entered before t₀, or there
+        certain &= clearly_before(begin, leaves);
+        certain &= at == outermost || clearly_before(enters, begin);
+        cell[axis] = at as u32;
+    }
+    if certain {
+        Plain::Cell(Start { cell, t: begin })
+    } else {
+        Plain::Unsure
+    }
+}
+
+/// The first cell, every comparison without rounding.
+#[cold]
+fn exact_start(cells: &CellPlanes, ray: &Ray, range: TRange) -> Option<Start> {
     let mut begin = Meeting::at(range.min.max(0.0));
     for axis in 0..3 {
         let (origin, direction) = (ray.origin[axis], ray.direction[axis]);
@@ -66,7 +147,6 @@ pub(super) fn start(cells: &CellPlanes, ray: &Ray, range: TRange) -> Option<Star
 }
 
 /// The cell [pᵢ, pᵢ₊₁) that a coordinate between the outer planes lies in; the last one has both its planes.
-#[inline]
 fn standing_cell(cells: &CellPlanes, axis: usize, x: f64) -> usize {
     let planes = cells.axis(axis);
     let guess = cells.near(axis, x);
@@ -78,7 +158,6 @@ fn standing_cell(cells: &CellPlanes, axis: usize, x: f64) -> usize {
 }
 
 /// The cell along an axis that the ray is in just after `begin`; `None` if it has left the grid by then.
-#[inline]
 fn moving_cell(cells: &CellPlanes, axis: usize, ray: &Ray, begin: &Meeting) -> Option<usize> {
     let planes = cells.axis(axis);
     let (origin, direction) = (ray.origin[axis], ray.direction[axis]);

@@ -59,6 +59,15 @@ struct AxisWalk {
     to_cell: usize,
 }
 
+/// How the ray leaves a cell.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Leaving {
+    /// Where.
+    pub(crate) t: f64,
+    /// Across which planes, by the bits of [`Across::BY_BITS`].
+    across: u8,
+}
+
 impl<'g> GridWalk<'g> {
     /// From the first cell that the ray pierces in its range.
     #[inline]
@@ -71,7 +80,8 @@ impl<'g> GridWalk<'g> {
             max: range.max,
             done: true,
         };
-        let Some(first) = start(cells, ray, range) else {
+        let inverse = ray.direction.to_array().map(usable_inverse);
+        let Some(first) = start(cells, ray, inverse, range) else {
             return walk;
         };
         walk.done = false;
@@ -89,34 +99,44 @@ impl<'g> GridWalk<'g> {
                 next: f64::INFINITY,
                 origin,
                 direction,
-                inverse: 1.0 / direction,
+                inverse: inverse[axis],
                 plane: if downwards { below } else { below + 1 },
                 lowest,
                 last: if downwards { lowest } else { highest },
                 to_plane: one_way(1),
                 to_cell: one_way(strides[axis]),
             };
-            if direction == 0.0 {
-                continue;
+            if direction != 0.0 {
+                of.next = of.meets_next(walk.planes, first.t);
             }
-            if !of.inverse.is_normal() {
-                // its t is never certain, and taken exactly at every step
-                of.inverse = f64::NAN;
-            }
-            of.next = of.meets_next(walk.planes, first.t);
         }
         walk
     }
 
     /// The cell that comes next.
-    #[inline]
     pub(crate) fn cell(&self) -> Option<[u32; 3]> {
-        (!self.done).then(|| self.place())
+        (!self.done).then(|| self.axes.map(|of| of.place() as u32))
     }
 
-    /// The next cell's number, and the step through it.
+    /// The next cell with all that is known of it before it is left.
+    pub(crate) fn entering(&self) -> Option<CellStep> {
+        let mut next = self.axes.map(|of| of.next);
+        for (axis, next) in next.iter_mut().enumerate() {
+            if next.is_nan() {
+                *next = self.meeting(axis).t().max(self.t_in);
+            }
+        }
+        Some(CellStep {
+            cell: self.cell()?,
+            t_in: self.t_in,
+            next,
+            ..CellStep::default()
+        })
+    }
+
+    /// The next cell's number, and how the ray leaves it.
     #[inline]
-    pub(crate) fn step(&mut self) -> Option<(usize, CellStep)> {
+    pub(crate) fn step(&mut self) -> Option<(usize, Leaving)> {
         if self.done {
             return None;
         }
@@ -131,20 +151,17 @@ impl<'g> GridWalk<'g> {
         };
         let t = self.axes[axis].next;
         let later = next.map(|other| u8::from(clearly_before(t, other)));
-        let mut step = CellStep {
-            cell: self.place(),
-            t_in: self.t_in,
-            t_out: t,
-            next,
-            across: Across::BY_BITS[1 << axis],
-        };
-        if later[0] + later[1] + later[2] == 2 && clearly_before(t, self.max) {
+        let leaving = if later[0] + later[1] + later[2] == 2 && clearly_before(t, self.max) {
             self.cross(axis, t);
+            Leaving {
+                t,
+                across: 1 << axis,
+            }
         } else {
-            self.step_exactly(&mut step);
-        }
-        self.t_in = step.t_out;
-        Some((number, step))
+            self.step_exactly()
+        };
+        self.t_in = leaving.t;
+        Some((number, leaving))
     }
 
     /// Crosses the next plane of an axis at t.
@@ -162,61 +179,70 @@ impl<'g> GridWalk<'g> {
 
     /// The step where two planes are about equally near, or where the range ends about here.
     #[cold]
-    fn step_exactly(&mut self, step: &mut CellStep) {
-        let meetings = self.axes.map(|of| Meeting {
-            plane: self.planes[of.plane],
-            origin: of.origin,
-            direction: of.direction,
-        });
+    fn step_exactly(&mut self) -> Leaving {
+        let meetings = [0, 1, 2].map(|axis| self.meeting(axis));
         let moving = [0, 1, 2].map(|axis: usize| meetings[axis].direction != 0.0);
         let is_first = |axis: &usize| {
             let before = |other: usize| moving[other] && meetings[other].before(&meetings[*axis]);
             moving[*axis] && !(0..3).any(before)
         };
-        let crossed: u8 = (0..3).filter(is_first).map(|axis| 1 << axis).sum();
-        let is_crossed = |axis: usize| crossed & (1 << axis) != 0;
+        let across: u8 = (0..3).filter(is_first).map(|axis| 1 << axis).sum();
+        let is_crossed = |axis: usize| across & (1 << axis) != 0;
 
-        for (next, meeting) in step.next.iter_mut().zip(&meetings) {
-            if next.is_nan() {
-                *next = meeting.t().max(step.t_in);
-            }
-        }
-        step.across = Across::BY_BITS[usize::from(crossed)];
-        step.t_out = (0..3)
-            .filter(|&axis| is_crossed(axis))
-            .map(|axis| step.next[axis])
-            .fold(f64::INFINITY, f64::min);
+        let t_of = |axis: usize| match self.axes[axis].next {
+            next if next.is_nan() => meetings[axis].t().max(self.t_in),
+            next => next,
+        };
+        let crossed = (0..3).filter(|&axis| is_crossed(axis));
+        let t = crossed.map(t_of).fold(f64::INFINITY, f64::min);
         let leaves = (0..3).find(|&axis| is_crossed(axis));
         let goes_on = leaves.is_some_and(|axis| {
             self.max == f64::INFINITY || meetings[axis].before(&Meeting::at(self.max))
         });
         if !goes_on {
             self.done = true;
-            return;
+            return Leaving { t, across };
         }
         for axis in 0..3 {
             if is_crossed(axis) {
-                self.cross(axis, step.t_out);
+                self.cross(axis, t);
             } else {
                 let of = &mut self.axes[axis];
-                of.next = not_before(step.t_out, of.next);
+                of.next = not_before(t, of.next);
             }
         }
+        Leaving { t, across }
     }
 
-    /// i, j and k of the cell that comes next.
-    #[inline]
-    fn place(&self) -> [u32; 3] {
-        self.axes.map(|of| of.place() as u32)
+    /// The ray and the next plane of an axis.
+    fn meeting(&self, axis: usize) -> Meeting {
+        let of = &self.axes[axis];
+        Meeting {
+            plane: self.planes[of.plane],
+            origin: of.origin,
+            direction: of.direction,
+        }
     }
 }
 
 impl Iterator for GridWalk<'_> {
     type Item = CellStep;
 
-    #[inline]
     fn next(&mut self) -> Option<CellStep> {
-        self.step().map(|(_, step)| step)
+        let entering = self.entering()?;
+        let (_, leaving) = self.step()?;
+        Some(leaving.completes(entering))
+    }
+}
+
+impl Leaving {
+    /// The whole step, from what was known of it before.
+    pub(crate) fn completes(self, entering: CellStep) -> CellStep {
+        CellStep {
+            t_out: self.t,
+            across: Across::BY_BITS[usize::from(self.across)],
+            ..entering
+        }
     }
 }
 
@@ -243,6 +269,18 @@ impl AxisWalk {
 #[inline]
 fn not_before(t: f64, next: f64) -> f64 {
     if next < t { t } else { next }
+}
+
+/// 1/Δ; no number where it is none that f64 holds with all its digits: then no t of it is ever certain, and
+/// each is taken exactly.
+#[inline]
+fn usable_inverse(direction: f64) -> f64 {
+    let inverse = 1.0 / direction;
+    if inverse.is_normal() {
+        inverse
+    } else {
+        f64::NAN
+    }
 }
 
 #[cfg(test)]
