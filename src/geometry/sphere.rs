@@ -43,6 +43,19 @@ impl Sphere {
         Quadratic::of_sphere(ray, self.center, self.radius).test(range, sides, |_| false)
     }
 
+    /// Does the line of the ray pass the sphere so far from its edge that [`Sphere::test`] finds no real root,
+    /// whatever is rounded?
+    ///
+    /// a·r² − |o × Δ|² < 0 by more than 10⁻⁵ of |Δ|²·|o|², which is beyond the rounding of both squares and
+    /// beyond what counts as a graze. `false` says nothing.
+    #[inline]
+    pub fn is_clearly_missed(&self, ray: &Ray) -> bool {
+        let offset = ray.origin - self.center;
+        let a = ray.direction.length_squared();
+        let inside = a * (self.radius * self.radius) - ray.direction.cross(offset).length_squared();
+        inside < -DISCRIMINANT_CANCELS * a * offset.length_squared()
+    }
+
     /// ((x − a)/r, (y − b)/r, (z − c)/r): the unit normal at a point of the surface, outwards.
     ///
     /// A computed point is on the surface but for its rounding, so the quotient is brought to unit
@@ -136,6 +149,24 @@ mod tests {
         let test = UNIT.test(&ray, TRange::FORWARD, Sides::Both);
         assert_eq!(test.discriminant, -12.0);
         assert_eq!(test.roots, Roots::None);
+    }
+
+    #[test]
+    fn only_a_ray_that_passes_well_beside_the_sphere_misses_it_clearly() {
+        // from (−5, y, 0) along x: r² − y² against 10⁻⁵·(25 + y²), which is 0.00026
+        for (y, clear) in [
+            (2.0, true),
+            (1.01, true),
+            (1.0001, false),
+            (1.0, false),
+            (0.5, false),
+        ] {
+            let ray = Ray::new(DVec3::new(-5.0, y, 0.0), 3.0 * DVec3::X);
+            assert_eq!(UNIT.is_clearly_missed(&ray), clear, "{y}");
+        }
+        // a direction of zero says nothing
+        let still = Ray::new(DVec3::new(-5.0, 2.0, 0.0), DVec3::ZERO);
+        assert!(!UNIT.is_clearly_missed(&still));
     }
 
     #[test]

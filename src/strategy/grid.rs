@@ -5,20 +5,22 @@
 //! list may be hit in a later cell, with a nearer object in between. Such a hit is kept, and the walk goes
 //! on until it has passed it.
 
-use std::ops::ControlFlow;
+use std::ops::{ControlFlow, Range};
 
 use crate::geometry::{Ray, TRange};
 use crate::scene::{PrimitiveId, Scene};
+use crate::strategy::leaf_order::LeafOrder;
 use crate::strategy::mailbox::Mailboxes;
-use crate::strategy::{Search, Strategy, test_primitive};
+use crate::strategy::{Search, Strategy};
 use crate::structure::{Grid, GridError, GridOptions};
 use crate::trace::{CellVisit, Event, GridEnter, GridExit, HitOutsideCell, Recorder, WalkEnd};
 
 /// Tests the objects of the cells that a ray pierces, cell by cell.
 #[derive(Clone, Debug)]
 pub struct UniformGrid<'a> {
-    scene: &'a Scene,
     grid: Grid,
+    /// The objects in the order of the lists.
+    objects: LeafOrder<'a>,
     mailboxes: bool,
 }
 
@@ -32,9 +34,10 @@ impl<'a> UniformGrid<'a> {
     /// # Errors
     /// Options that make no sense, or a grid that would take too much memory.
     pub fn new(scene: &'a Scene, options: &GridOptions) -> Result<Self, GridError> {
+        let grid = Grid::new(scene, options)?;
         Ok(Self {
-            scene,
-            grid: Grid::new(scene, options)?,
+            objects: LeafOrder::new(scene, grid.lists().objects()),
+            grid,
             mailboxes: options.mailboxes,
         })
     }
@@ -61,7 +64,7 @@ impl<'a> UniformGrid<'a> {
                 max: range.max * (1.0 + STRETCH),
             },
         );
-        let first = if R::ENABLED { walk.cell() } else { None };
+        let first = walk.cell();
         recorder.note(|| {
             Event::GridEnter(GridEnter {
                 min: self.grid.min(),
@@ -79,7 +82,7 @@ impl<'a> UniformGrid<'a> {
                 break;
             };
             cells += 1;
-            let listed = self.grid.listed(number);
+            let listed = self.grid.lists().range(number);
             if let Some(entering) = entering {
                 recorder.note(|| {
                     Event::Cell(CellVisit {
@@ -100,40 +103,39 @@ impl<'a> UniformGrid<'a> {
         recorder.note(|| Event::GridExit(GridExit { end, cells }));
     }
 
-    /// Tests the objects of a cell.
+    /// Tests the objects of a cell: those in these places of all lists.
     #[inline]
     fn test_listed<R: Recorder>(
         &self,
-        listed: &[PrimitiveId],
+        listed: Range<usize>,
         t_out: f64,
         ray: &Ray,
         search: &mut impl Search,
         recorder: &mut R,
         is_first: &mut impl FnMut(PrimitiveId) -> bool,
     ) -> ControlFlow<()> {
-        for &object in listed {
+        let order = self.grid.lists().objects();
+        self.objects.visit(order, listed, |listed| {
+            // less work than to look into a mailbox
+            if !R::ENABLED && listed.is_clearly_missed(ray) {
+                return ControlFlow::Continue(());
+            }
+            let object = listed.id();
             recorder.note(|| Event::Listed { object });
             if !is_first(object) {
                 recorder.note(|| Event::Mailbox { object });
-                continue;
+                return ControlFlow::Continue(());
             }
-            let primitive = self.scene.primitive(object);
-            let Some(t) = test_primitive(object, primitive, ray, search.range(), recorder) else {
-                continue;
+            let scene = self.objects.scene();
+            let Some(t) = listed.test(scene, ray, search.range(), recorder) else {
+                return ControlFlow::Continue(());
             };
             let offered = search.offer(object, t, recorder);
             if t_out < t {
-                recorder.note(|| {
-                    Event::HitOutsideCell(HitOutsideCell {
-                        object,
-                        t,
-                        t_out,
-                    })
-                });
+                recorder.note(|| Event::HitOutsideCell(HitOutsideCell { object, t, t_out }));
             }
-            offered?;
-        }
-        ControlFlow::Continue(())
+            offered
+        })
     }
 }
 
@@ -141,8 +143,11 @@ impl Strategy for UniformGrid<'_> {
     #[inline]
     fn search<R: Recorder>(&self, ray: &Ray, search: &mut impl Search, recorder: &mut R) {
         if self.mailboxes {
-            let mut mailboxes = Mailboxes::for_ray(self.scene.primitives.len());
+            // many a ray needs none
+            let mut mailboxes = None;
+            let of_ray = || Mailboxes::for_ray(self.objects.scene().primitives.len());
             self.walk(ray, search, recorder, |object| {
+                let mailboxes = mailboxes.get_or_insert_with(of_ray);
                 mailboxes.is_first(object.0 as usize)
             });
         } else {
@@ -152,13 +157,13 @@ impl Strategy for UniformGrid<'_> {
 
     fn note_building<R: Recorder>(&self, recorder: &mut R) {
         if R::ENABLED {
-            for assignment in self.grid.assignments(self.scene) {
+            for assignment in self.grid.assignments(self.objects.scene()) {
                 recorder.note(|| Event::Assign(assignment));
             }
         }
     }
 
     fn bytes(&self) -> usize {
-        self.grid.bytes()
+        self.grid.bytes() + self.objects.bytes()
     }
 }

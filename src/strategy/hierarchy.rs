@@ -14,6 +14,7 @@ use std::ops::ControlFlow;
 
 use crate::geometry::{Ray, TRange};
 use crate::scene::Scene;
+use crate::strategy::leaf_order::LeafOrder;
 use crate::strategy::waiting::{Stack, Waiting};
 use crate::strategy::{Search, Strategy};
 use crate::structure::{
@@ -36,11 +37,12 @@ pub struct HeapOrdered<'a, const N: usize> {
     nodes: Nodes<'a, N>,
 }
 
-/// A hierarchy and the scene it was built over.
+/// A hierarchy and the objects at its leaves.
 #[derive(Clone, Debug)]
 struct Nodes<'a, const N: usize> {
-    scene: &'a Scene,
     hierarchy: Hierarchy<N>,
+    /// The objects in the order of the leaves.
+    objects: LeafOrder<'a>,
 }
 
 impl<'a, const N: usize> DepthFirst<'a, N> {
@@ -120,7 +122,7 @@ impl<const N: usize> Strategy for DepthFirst<'_, N> {
     }
 
     fn bytes(&self) -> usize {
-        self.nodes.hierarchy.bytes()
+        self.nodes.hierarchy.bytes() + self.nodes.objects.bytes()
     }
 }
 
@@ -179,15 +181,16 @@ impl<const N: usize> Strategy for HeapOrdered<'_, N> {
     }
 
     fn bytes(&self) -> usize {
-        self.nodes.hierarchy.bytes()
+        self.nodes.hierarchy.bytes() + self.nodes.objects.bytes()
     }
 }
 
 impl<'a, const N: usize> Nodes<'a, N> {
     fn new(scene: &'a Scene, set: &SlabSet<N>, build: Build) -> Self {
+        let hierarchy = Hierarchy::new(scene, set, build);
         Self {
-            scene,
-            hierarchy: Hierarchy::new(scene, set, build),
+            objects: LeafOrder::new(scene, hierarchy.order()),
+            hierarchy,
         }
     }
 
@@ -277,10 +280,16 @@ impl<'a, const N: usize> Nodes<'a, N> {
         search: &mut impl Search,
         recorder: &mut R,
     ) -> ControlFlow<()> {
-        for &id in &self.hierarchy.order()[range(first, count)] {
-            search.test(id, self.scene.primitive(id), ray, recorder)?;
-        }
-        ControlFlow::Continue(())
+        let order = self.hierarchy.order();
+        self.objects.visit(order, range(first, count), |object| {
+            if !R::ENABLED && object.is_clearly_missed(ray) {
+                return ControlFlow::Continue(());
+            }
+            match object.test(self.objects.scene(), ray, search.range(), recorder) {
+                Some(t) => search.offer(object.id(), t, recorder),
+                None => ControlFlow::Continue(()),
+            }
+        })
     }
 
     #[inline]

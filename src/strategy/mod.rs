@@ -5,6 +5,7 @@ mod chosen;
 mod exhaustive;
 mod grid;
 mod hierarchy;
+mod leaf_order;
 mod mailbox;
 mod nearest;
 mod object_test;

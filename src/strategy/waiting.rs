@@ -11,7 +11,7 @@ pub(super) struct Waiting {
 
 /// How many nodes wait without memory of their own: of the twenty levels of a tree of a million objects, not
 /// every one leaves a node waiting, and places are cleared anew for each ray.
-const FEW: usize = 16;
+const FEW: usize = 12;
 
 /// A stack of nodes, the next one on top.
 #[derive(Debug)]

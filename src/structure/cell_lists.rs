@@ -1,11 +1,13 @@
 //! The lists of a grid's cells, all in one array.
 
+use std::ops::Range;
+
 use crate::scene::PrimitiveId;
 use crate::structure::grid_error::MOST_ENTRIES;
 
 /// Which objects each cell lists: cell c those from `starts[c]` up to `starts[c + 1]`.
 #[derive(Clone, Debug, Default)]
-pub(super) struct CellLists {
+pub(crate) struct CellLists {
     starts: Vec<u32>,
     objects: Vec<PrimitiveId>,
 }
@@ -51,10 +53,20 @@ impl CellLists {
         })
     }
 
-    /// The objects that a cell lists.
+    /// Where the objects that a cell lists stand among all.
     #[inline]
+    pub(crate) fn range(&self, cell: usize) -> Range<usize> {
+        self.starts[cell] as usize..self.starts[cell + 1] as usize
+    }
+
+    /// The objects that a cell lists.
     pub(super) fn of(&self, cell: usize) -> &[PrimitiveId] {
-        &self.objects[self.starts[cell] as usize..self.starts[cell + 1] as usize]
+        &self.objects[self.range(cell)]
+    }
+
+    /// The objects of all lists, one after the other.
+    pub(crate) fn objects(&self) -> &[PrimitiveId] {
+        &self.objects
     }
 
     /// How many entries there are.

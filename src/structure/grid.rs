@@ -188,13 +188,13 @@ impl Grid {
         if !inside {
             return &[];
         }
-        self.listed(self.cells.number(cell))
+        self.lists.of(self.cells.number(cell))
     }
 
-    /// The objects listed in the cell with a number.
+    /// The lists of all cells.
     #[inline]
-    pub(crate) fn listed(&self, number: usize) -> &[PrimitiveId] {
-        self.lists.of(number)
+    pub(crate) fn lists(&self) -> &CellLists {
+        &self.lists
     }
 
     /// How many entries all lists have together.

@@ -10,14 +10,16 @@
 
 use glam::DVec3;
 
-use crate::scene::{PrimitiveId, Scene};
+use crate::scene::{Primitive, PrimitiveId, Scene, Shape};
 use crate::structure::build::solid::Solid;
 use crate::structure::hierarchy::{Link, Topology};
 
 /// Into how many bins at most the centers are sorted along an axis: more of them find hardly better cuts.
 const BINS: usize = 16;
-/// What a node costs in tests of objects. From 0.6 to 2 the time of a ray hardly changes.
+/// What a node costs in tests of objects. Measured: from 0.6 to 2 the time of a ray hardly changes.
 const NODE_COST: f64 = 1.5;
+/// The same in tests of spheres, which are cheaper: most of them end after a few products.
+const NODE_COST_IN_SPHERES: f64 = 2.2;
 /// The most objects in a leaf, unless nothing tells them apart.
 const LARGEST_LEAF: usize = 8;
 /// From this depth on a node is cut into equal halves: what is left is few objects, or hopeless.
@@ -53,6 +55,7 @@ pub(in crate::structure) fn surface_area(scene: &Scene) -> Topology {
     if items.is_empty() {
         return Topology::default();
     }
+    let node_cost = node_cost(scene);
     let open = Link::Objects { first: 0, count: 0 };
     let mut links = vec![open];
     let mut tasks = vec![Task {
@@ -70,7 +73,7 @@ pub(in crate::structure) fn surface_area(scene: &Scene) -> Topology {
         solid,
     }) = tasks.pop()
     {
-        links[node] = match cut(&mut items[from..to], &solid, depth) {
+        links[node] = match cut(&mut items[from..to], &solid, depth, node_cost) {
             None => Link::Objects {
                 first: from as u32,
                 count: (to - from) as u32,
@@ -104,6 +107,14 @@ pub(in crate::structure) fn surface_area(scene: &Scene) -> Topology {
     }
 }
 
+/// What a node costs in tests of the objects of this scene: the mean over its kinds of objects.
+fn node_cost(scene: &Scene) -> f64 {
+    let is_sphere = |object: &&Primitive| matches!(object.shape, Shape::Sphere(_));
+    let spheres = scene.primitives.iter().filter(is_sphere).count() as f64;
+    let share = spheres / scene.primitives.len() as f64;
+    NODE_COST + share * (NODE_COST_IN_SPHERES - NODE_COST)
+}
+
 /// The box around objects.
 fn around(items: &[Item]) -> Solid {
     let join = |sum: Solid, item: &Item| sum.union(&item.solid);
@@ -119,7 +130,7 @@ struct Halves {
 }
 
 /// Sorts the objects of a node into two halves; `None` if it stays whole. `solid` is the box around them.
-fn cut(items: &mut [Item], solid: &Solid, depth: u32) -> Option<Halves> {
+fn cut(items: &mut [Item], solid: &Solid, depth: u32, node_cost: f64) -> Option<Halves> {
     let count = items.len();
     if count <= 1 {
         return None;
@@ -133,7 +144,7 @@ fn cut(items: &mut [Item], solid: &Solid, depth: u32) -> Option<Halves> {
     let cost_of_leaf = count as f64 * solid.half_area();
     match best {
         Some(cut) => {
-            let cost = NODE_COST * solid.half_area() + cut.cost;
+            let cost = node_cost * solid.half_area() + cut.cost;
             if count <= LARGEST_LEAF && cost_of_leaf <= cost {
                 return None;
             }
