@@ -52,7 +52,7 @@ pub(in crate::structure) fn bottom_up(scene: &Scene) -> Topology {
 }
 
 /// Joins every two volumes that are each other's best partner; the pair with the smallest area always is.
-fn joined(waiting: &[Cluster], tree: &mut Tree) -> Vec<Cluster> {
+fn joined(waiting: &[Cluster], tree: &mut Tree<[u32; 2]>) -> Vec<Cluster> {
     let partners: Vec<usize> = (0..waiting.len()).map(|at| partner(waiting, at)).collect();
     let mut left = Vec::with_capacity(waiting.len());
     for (at, cluster) in waiting.iter().enumerate() {
@@ -61,7 +61,7 @@ fn joined(waiting: &[Cluster], tree: &mut Tree) -> Vec<Cluster> {
             left.push(*cluster);
         } else if at < with {
             let node = tree.nodes.len() as u32;
-            let pair = vec![cluster.node, waiting[with].node];
+            let pair = [cluster.node, waiting[with].node];
             tree.nodes.push(TreeNode::Children(pair));
             left.push(Cluster {
                 node,

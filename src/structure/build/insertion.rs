@@ -18,7 +18,7 @@ use crate::structure::hierarchy::Topology;
 
 /// A node of the growing tree and the box around it.
 struct Growing {
-    tree: Tree,
+    tree: Tree<Vec<u32>>,
     solids: Vec<Solid>,
     root: u32,
 }
@@ -42,7 +42,7 @@ pub(in crate::structure) fn insertion(scene: &Scene) -> Topology {
 }
 
 impl Growing {
-    fn add(&mut self, node: TreeNode, solid: Solid) -> u32 {
+    fn add(&mut self, node: TreeNode<Vec<u32>>, solid: Solid) -> u32 {
         self.tree.nodes.push(node);
         self.solids.push(solid);
         self.solids.len() as u32 - 1

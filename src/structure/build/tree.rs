@@ -3,22 +3,29 @@
 use crate::scene::PrimitiveId;
 use crate::structure::hierarchy::{Link, Topology};
 
-/// A tree of objects in which nodes are known by their places.
-#[derive(Clone, Debug, Default)]
-pub(super) struct Tree {
-    pub(super) nodes: Vec<TreeNode>,
+/// A tree of objects in which nodes are known by their places. `C` holds the children of a node: a list, or
+/// where all have as many an array, which needs no memory of its own.
+#[derive(Clone, Debug)]
+pub(super) struct Tree<C> {
+    pub(super) nodes: Vec<TreeNode<C>>,
 }
 
 /// A node of a growing tree.
 #[derive(Clone, Debug)]
-pub(super) enum TreeNode {
+pub(super) enum TreeNode<C> {
     /// One object.
     Object(PrimitiveId),
     /// The places of its children.
-    Children(Vec<u32>),
+    Children(C),
 }
 
-impl Tree {
+impl<C> Default for Tree<C> {
+    fn default() -> Self {
+        Self { nodes: Vec::new() }
+    }
+}
+
+impl<C: AsRef<[u32]>> Tree<C> {
     /// The nodes with the root first and children side by side behind their parent.
     pub(super) fn laid_out(&self, root: u32) -> Topology {
         let mut topology = Topology::default();
@@ -36,6 +43,7 @@ impl Tree {
                     }
                 }
                 TreeNode::Children(children) => {
+                    let children = children.as_ref();
                     let first = topology.links.len() as u32;
                     let count = children.len() as u32;
                     let open = Link::Objects { first: 0, count: 0 };
