@@ -36,7 +36,7 @@ impl<'a> UniformGrid<'a> {
     pub fn new(scene: &'a Scene, options: &GridOptions) -> Result<Self, GridError> {
         let grid = Grid::new(scene, options)?;
         Ok(Self {
-            objects: LeafOrder::new(scene, grid.lists().objects()),
+            objects: LeafOrder::of_cells(scene, grid.lists().objects()),
             grid,
             mailboxes: options.mailboxes,
         })

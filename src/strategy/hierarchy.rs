@@ -189,7 +189,7 @@ impl<'a, const N: usize> Nodes<'a, N> {
     fn new(scene: &'a Scene, set: &SlabSet<N>, build: Build) -> Self {
         let hierarchy = Hierarchy::new(scene, set, build);
         Self {
-            objects: LeafOrder::new(scene, hierarchy.order()),
+            objects: LeafOrder::of_leaves(scene, hierarchy.order()),
             hierarchy,
         }
     }
@@ -281,15 +281,8 @@ impl<'a, const N: usize> Nodes<'a, N> {
         recorder: &mut R,
     ) -> ControlFlow<()> {
         let order = self.hierarchy.order();
-        self.objects.visit(order, range(first, count), |object| {
-            if !R::ENABLED && object.is_clearly_missed(ray) {
-                return ControlFlow::Continue(());
-            }
-            match object.test(self.objects.scene(), ray, search.range(), recorder) {
-                Some(t) => search.offer(object.id(), t, recorder),
-                None => ControlFlow::Continue(()),
-            }
-        })
+        let places = range(first, count);
+        self.objects.test(order, places, ray, search, recorder)
     }
 
     #[inline]
