@@ -208,8 +208,17 @@ impl Scene {
 pub fn nearest_name<'a>(name: &str, known: impl Iterator<Item = &'a str>) -> Option<String> {
     /// Below this similarity (Jaro-Winkler, 0 to 1) a guess would only confuse.
     const LIKE: f64 = 0.7;
+    /// What one slip counts, two letters that changed places included, of which Jaro-Winkler sees none in
+    /// words of three letters.
+    const SLIP: f64 = 0.8;
+    let likeness = |candidate: &str| {
+        let is_slip =
+            3 <= name.chars().count() && strsim::damerau_levenshtein(name, candidate) == 1;
+        let slip = if is_slip { SLIP } else { 0.0 };
+        strsim::jaro_winkler(name, candidate).max(slip)
+    };
     known
-        .map(|candidate| (strsim::jaro_winkler(name, candidate), candidate))
+        .map(|candidate| (likeness(candidate), candidate))
         .filter(|(likeness, _)| LIKE <= *likeness)
         .max_by(|a, b| a.0.total_cmp(&b.0))
         .map(|(_, candidate)| candidate.into())
