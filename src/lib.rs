@@ -16,7 +16,8 @@
 //!    structure leaves;
 //! 6. [`tracer`]: what a hit leads to: shadow rays, reflection, refraction; pixels and pictures;
 //! 7. [`explain`]: from events to words, and what each strategy costs;
-//! 8. [`figure`]: bars of costs and heat maps.
+//! 8. [`figure`]: from events to the figures of a lecture; bars of costs and heat maps;
+//! 9. [`lesson`]: the course's data, and the traces that its figures are drawn from.
 //!
 //! Equations and figures are numbered as in the course's slides, after Foley, van Dam, Feiner and Hughes,
 //! *Computer Graphics: Principles and Practice*, §15.10.
@@ -47,6 +48,7 @@
 pub mod explain;
 pub mod figure;
 pub mod geometry;
+pub mod lesson;
 pub mod scene;
 pub mod strategy;
 pub mod structure;
@@ -58,7 +60,10 @@ pub use explain::{
     in_advance_json, in_advance_text, pixel_json, printable, strategies_to_compare,
     worked_solution,
 };
-pub use figure::{Raster, cost_chart, heat_map};
+pub use figure::{
+    Drawn, DroppedAxis, FigureError, FigureKind, FigureSpec, Layer, OF_EVERY_PIXEL, Raster,
+    Rendition, Traced, View, Width, cost_chart, draw, heat_map, text_width,
+};
 pub use geometry::{
     AlignedRay, AlignedSlab, Alignment, Axis, AxisBox, BoxTest, Cone, DecidedBy, EdgeTest,
     Ellipsoid, Fate, GRAZE, MOST_SLABS, OrientedEllipsoid, Plane, PlaneTest, PlaneVerdict, Polygon,
@@ -66,10 +71,14 @@ pub use geometry::{
     SlabRay, SlabSetError, Sphere, TRange, interpolated_normal, mean_value_weights, reflect,
     refract, slab_directions,
 };
+pub use lesson::{
+    FigureName, Lesson, LessonError, LessonFile, Library, compare, lesson_schema,
+    scan_lines_to_compare, trace_figure,
+};
 pub use scene::{
     Camera, Emission, Fault, Light, LoadError, Loaded, Material, Materials, Normals, Object,
-    PhongTerm, Primitive, PrimitiveId, Scene, SceneFault, SceneFile, Shape, load, load_bytes,
-    nearest_name,
+    PhongTerm, Place, Primitive, PrimitiveId, Scene, SceneFault, SceneFile, Shape, load,
+    load_bytes, nearest_name,
 };
 pub use strategy::{
     AnyHit, BoundedObjects, Chosen, DepthFirst, Exhaustive, HeapOrdered, Hit, NearestSoFar, Search,

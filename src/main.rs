@@ -7,7 +7,7 @@ use std::process::ExitCode;
 
 fn main() -> ExitCode {
     match cli::run(std::env::args_os()) {
-        Ok(()) => ExitCode::SUCCESS,
+        Ok(code) => code,
         // who closes a pipe has read enough
         Err(error) if error.is_closed_pipe() => ExitCode::SUCCESS,
         Err(error) => {

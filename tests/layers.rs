@@ -21,7 +21,7 @@ const LAYERS: [&str; 11] = [
 /// What draws and explains sees events and the scene, never how they were made.
 const FROM_EVENTS_ALONE: [&str; 2] = ["explain", "figure"];
 
-fn sources(folder: &Path) -> Vec<PathBuf> {
+pub(crate) fn sources(folder: &Path) -> Vec<PathBuf> {
     let mut found = Vec::new();
     for entry in fs::read_dir(folder).unwrap() {
         let path = entry.unwrap().path();

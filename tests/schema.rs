@@ -252,7 +252,7 @@ fn a_head_with_a_wrong_key_or_value_is_refused() {
         ("trace", "/settings/strategy", Some(json!("best"))),
         ("trace", "/settings/seed", Some(json!(1))),
         ("trace", "/settings/building", Some(json!("yes"))),
-        ("trace", "/settings/structure", Some(json!({}))),
+        ("trace", "/settings/structure", Some(json!({ "ball": 1 }))),
         (
             "trace",
             "/settings/structure",

@@ -1,5 +1,7 @@
 //! What can be said on the command line.
 
+mod figures;
+
 use std::ffi::OsString;
 use std::path::PathBuf;
 
@@ -11,6 +13,7 @@ use raystep::{
 };
 
 use crate::cli::Error;
+pub(crate) use figures::{Drawing, FigureArgs, FiguresArgs, WidthName};
 
 /// A ray tracer that shows its working.
 #[derive(Debug, Parser)]
@@ -33,9 +36,13 @@ pub(crate) enum Verb {
     Render(RenderArgs),
     /// Compare what the strategies cost on the same rays.
     Compare(CompareArgs),
+    /// Draw a figure of a lesson as SVG.
+    Figure(FigureArgs),
+    /// Draw all figures of the lessons, or check that those that are there are up to date.
+    Figures(FiguresArgs),
     /// Rewrite a scene in NFF, OBJ or JSON, or the scene of a log, as JSON.
     Convert(ConvertArgs),
-    /// Print the JSON Schema of scenes or logs.
+    /// Print the JSON Schema of scenes, lessons or logs.
     Schema(SchemaArgs),
     /// Print completions for a shell.
     Completions(CompletionsArgs),
@@ -278,6 +285,8 @@ pub(crate) struct SchemaArgs {
 pub(crate) enum SchemaOf {
     /// A scene file
     Scene,
+    /// A lesson file
+    Lesson,
     /// One line of a log
     Trace,
 }

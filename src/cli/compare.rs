@@ -2,11 +2,7 @@
 
 use std::time::Instant;
 
-use indicatif::ProgressBar;
-use raystep::{
-    Chosen, Compared, Comparison, Cost, Counts, Scene, Settings, Strategy, StructureError, Through,
-    Tracer, cost_chart, render, strategies_to_compare, trace_pixel,
-};
+use raystep::{compare, cost_chart, scan_lines_to_compare};
 
 use crate::cli::Error;
 use crate::cli::args::{CompareArgs, TableFormat, Tracing};
@@ -14,7 +10,6 @@ use crate::cli::input::{self, Input};
 use crate::cli::output::{self, Output};
 use crate::cli::pixel::inside;
 use crate::cli::progress::{bar, on_threads};
-use crate::cli::stats;
 
 /// Begins the ids of the chart.
 const CHART_ID: &str = "raystep-compare";
@@ -41,11 +36,12 @@ pub(crate) fn run(args: &CompareArgs) -> Result<(), Error> {
     let pixel = args.pixel.map(|pixel| inside(pixel, scene)).transpose()?;
     let chart = args.chart.as_deref().map(Output::create).transpose()?;
 
-    let comparison = Comparison {
-        scene,
-        pixel,
-        compared: compare(scene, &ready.settings, pixel, args.threads)?,
-    };
+    let settings = &ready.settings;
+    let bar = bar(scan_lines_to_compare(scene, settings, pixel));
+    let comparison = on_threads(args.threads, || {
+        compare(scene, settings, pixel, |done| bar.set_position(done))
+    })?;
+    bar.finish_and_clear();
     if let Some(chart) = chart {
         chart.write_whole(cost_chart(CHART_ID, &comparison).as_bytes())?;
     }
@@ -55,77 +51,4 @@ pub(crate) fn run(args: &CompareArgs) -> Result<(), Error> {
         TableFormat::Csv => comparison.csv(),
     };
     Output::standard().write_whole(table.as_bytes())
-}
-
-/// Runs every strategy, one after the other.
-fn compare(
-    scene: &Scene,
-    settings: &Settings,
-    pixel: Option<[u32; 2]>,
-    threads: Option<u16>,
-) -> Result<Vec<Compared>, Error> {
-    let all = strategies_to_compare(scene, settings);
-    let bar = bar(scan_lines(scene, settings, pixel) * all.len() as u64);
-    let compared = on_threads(threads, || {
-        let run = |settings: Settings| Compared {
-            cost: cost(scene, &settings, pixel, &bar),
-            settings,
-        };
-        all.into_iter().map(run).collect()
-    });
-    bar.finish_and_clear();
-    compared
-}
-
-/// What one strategy costs.
-fn cost(
-    scene: &Scene,
-    settings: &Settings,
-    pixel: Option<[u32; 2]>,
-    bar: &ProgressBar,
-) -> Result<Cost, StructureError> {
-    let done_before = bar.position();
-    let started = Instant::now();
-    let strategy = Chosen::new(scene, settings.strategy, &settings.structure);
-    let building = started.elapsed();
-    let cost = strategy.map(|strategy| {
-        let tracer = Tracer {
-            scene,
-            strategy: &strategy,
-            transport: settings.transport,
-        };
-        let started = Instant::now();
-        let counts = match pixel {
-            Some(pixel) => {
-                let mut counts = Counts::default();
-                trace_pixel(&tracer, pixel, settings.through, &mut counts);
-                counts
-            }
-            None => {
-                let done = |lines: usize| bar.set_position(done_before + lines as u64);
-                let (_, lines) = render::<_, Counts>(&tracer, settings.through, done);
-                stats::sum(&lines)
-            }
-        };
-        Cost {
-            counts,
-            bytes: strategy.bytes(),
-            building,
-            tracing: started.elapsed(),
-        }
-    });
-    bar.set_position(done_before + scan_lines(scene, settings, pixel));
-    cost
-}
-
-/// How many scan lines of eye rays a strategy traces.
-fn scan_lines(scene: &Scene, settings: &Settings, pixel: Option<[u32; 2]>) -> u64 {
-    match pixel {
-        Some(_) => 1,
-        None => {
-            let rows = u64::from(scene.camera.pixels[1]);
-            // through the corners there is one more line of eye rays than of pixels
-            rows + u64::from(settings.through == Through::Corners)
-        }
-    }
 }

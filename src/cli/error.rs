@@ -3,7 +3,9 @@
 use std::fmt;
 use std::io;
 
-use raystep::{Fault, GridError, LoadError, LogError, Region, StructureError};
+use raystep::{
+    Fault, GridError, LessonError, LoadError, LogError, Region, StructureError,
+};
 
 /// Why a command did not do what it was asked to.
 #[derive(Debug)]
@@ -19,6 +21,24 @@ pub(crate) enum Error {
     Load(LoadError),
     /// The log could not be read.
     Log(LogError),
+    /// A lesson, or a figure of it.
+    Lesson(Box<LessonError>),
+    /// Figures that are not what would be drawn: a check that failed.
+    Stale {
+        /// Each with what is the matter with it.
+        stale: Vec<String>,
+        /// How many figures there are.
+        of: usize,
+        /// Their folder.
+        out: String,
+    },
+    /// A drawing cannot become pixels or a page.
+    Raster {
+        /// Why.
+        what: String,
+        /// What to do about it.
+        fix: &'static str,
+    },
     /// An option has a value that makes no sense in a scene.
     Option {
         /// The option.
@@ -121,10 +141,11 @@ impl Error {
         matches!(self, Self::Write { source, .. } if source.kind() == io::ErrorKind::BrokenPipe)
     }
 
-    /// What the command returns to the shell: 2 for usage and bad input, 0 for help.
+    /// What the command returns to the shell: 2 for usage and bad input, 1 for a check that failed, 0 for help.
     pub(crate) fn exit_code(&self) -> u8 {
         match self {
             Self::Usage(usage) => usage.exit_code() as u8,
+            Self::Stale { .. } => 1,
             _ => 2,
         }
     }
@@ -145,6 +166,14 @@ impl fmt::Display for Error {
             ),
             Self::Load(error) => error.fmt(f),
             Self::Log(error) => error.fmt(f),
+            Self::Lesson(error) => error.fmt(f),
+            Self::Stale { stale, of, out } => write!(
+                f,
+                "{}\n{} of the {of} figures are not what is drawn today\n  draw them again: raystep figures --out {out}",
+                stale.join("\n"),
+                stale.len()
+            ),
+            Self::Raster { what, fix } => write!(f, "{what}\n  {fix}"),
             Self::Option { option, fault } => write!(f, "{option}: {fault}\n  {}", fault.fix()),
             Self::Unused {
                 option,
@@ -269,5 +298,15 @@ impl From<LoadError> for Error {
 impl From<LogError> for Error {
     fn from(error: LogError) -> Self {
         Self::Log(error)
+    }
+}
+
+impl From<LessonError> for Error {
+    fn from(error: LessonError) -> Self {
+        match error {
+            LessonError::Load(error) => Self::Load(error),
+            LessonError::Log(error) => Self::Log(error),
+            other => Self::Lesson(Box::new(other)),
+        }
     }
 }

@@ -137,6 +137,8 @@ pub(crate) fn ready(
         through: tracing.casting.through.unwrap_or_default(),
         one_sided: tracing.casting.one_sided,
         only: None,
+        whole: Vec::new(),
+        figure: None,
         region: None,
     };
     Ok(Ready {

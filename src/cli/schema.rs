@@ -1,6 +1,6 @@
 //! `raystep schema`: the JSON Schemas of the files that are read and written.
 
-use raystep::{scene_schema, trace_schema};
+use raystep::{lesson_schema, scene_schema, trace_schema};
 
 use crate::cli::Error;
 use crate::cli::args::{SchemaArgs, SchemaOf};
@@ -10,6 +10,7 @@ use crate::cli::output::Output;
 pub(crate) fn run(args: &SchemaArgs) -> Result<(), Error> {
     let schema = match args.of {
         SchemaOf::Scene => scene_schema(),
+        SchemaOf::Lesson => lesson_schema(),
         SchemaOf::Trace => trace_schema(),
     };
     Output::standard().write_whole(format!("{schema:#}\n").as_bytes())

@@ -160,9 +160,16 @@ impl Comparison<'_> {
         }
     }
 
-    /// The table, and what was computed in advance.
-    pub fn text(&self) -> String {
-        let columns = self.columns();
+    /// The table as rows of cells, the titles first; a strategy that could not be built has a cell that says why.
+    ///
+    /// Without times: the same comparison gives the same cells.
+    pub fn rows(&self) -> Vec<Vec<String>> {
+        let mut columns = self.columns();
+        columns.retain(|&column| COLUMNS[column].1 != "build_seconds");
+        self.table(&columns)
+    }
+
+    fn table(&self, columns: &[usize]) -> Vec<Vec<String>> {
         let mut table = vec![vec!["strategy".to_owned()]];
         table[0].extend(columns.iter().map(|&column| COLUMNS[column].0.into()));
         for compared in &self.compared {
@@ -176,6 +183,12 @@ impl Comparison<'_> {
             }
             table.push(row);
         }
+        table
+    }
+
+    /// The table, and what was computed in advance.
+    pub fn text(&self) -> String {
+        let table = self.table(&self.columns());
         let advance = self.in_advance_lines();
         let mut text = format!("{}\n\n{}", self.title(), aligned(&table));
         if !advance.is_empty() {

@@ -107,6 +107,11 @@ impl Digits {
     }
 }
 
+/// A number with so many digits, as a figure has room for.
+pub(crate) fn shown(x: f64, digits: u32) -> String {
+    Digits(digits).number(x)
+}
+
 /// A count with its digits in groups of three, as in 104 857 600.
 pub(crate) fn grouped(count: u64) -> String {
     let digits = count.to_string();

@@ -11,7 +11,7 @@ pub struct Raster {
     pub bytes: Vec<u8>,
 }
 
-type Rgb = [u8; 3];
+pub(super) type Rgb = [u8; 3];
 
 /// The colours from the smallest number to the largest, in equal steps: viridis, by S. van der Walt and
 /// N. Smith (matplotlib 1.5, 2015, CC0), at 0, ⅛, … 1. Its lightness grows all along, so that it reads the
@@ -71,7 +71,7 @@ pub fn heat_map(pixels: [u32; 2], values: &[f64], title: &str) -> Raster {
 }
 
 /// The colour at a share of the scale, from 0 to 1; between two of [`SCALE`] in proportion.
-fn colour(share: f64) -> Rgb {
+pub(super) fn colour(share: f64) -> Rgb {
     let place = share.clamp(0.0, 1.0) * (SCALE.len() - 1) as f64;
     let below = (place as usize).min(SCALE.len() - 2);
     let rest = place - below as f64;

@@ -19,6 +19,7 @@ pub use camera::Camera;
 pub use fault::{DEEPEST, Fault, LARGEST, MOST_PIXELS, SMALLEST, SceneFault};
 pub use file::{Material, Materials, SceneFile};
 pub use light::{Emission, Light, PhongTerm};
-pub use load::{LoadError, Loaded, load, load_bytes};
+pub use load::{LoadError, Loaded, Place, load, load_bytes};
+pub(crate) use load::{line_of, parse_json};
 pub use object::{Normals, Object, Primitive, PrimitiveId, Shape};
 pub use scene::{Scene, nearest_name};

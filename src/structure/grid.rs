@@ -35,10 +35,10 @@ pub enum Lists {
 
 /// How a grid is built.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[serde(default, deny_unknown_fields)]
 pub struct GridOptions {
     /// Cells along x, y and z; absent: by Woo's rule.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub resolution: Option<[u32; 3]>,
     /// Cells for each object, for Woo's rule.
     pub density: f64,

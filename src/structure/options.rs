@@ -10,7 +10,7 @@ use crate::structure::{Build, GridError, GridOptions, SlabChoice, VolumeKind};
 
 /// What can be chosen about the structure of a strategy; each strategy looks at its own part.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[serde(default, deny_unknown_fields)]
 pub struct StructureOptions {
     /// The volume around each object.
     pub volume: VolumeKind,

@@ -41,6 +41,7 @@ pub use log_writer::{LOG_VERSION, LineSink, LogNames, write_log_head};
 pub use ray_tree::{Item, RayNode, RayTree};
 use recorder::Numbering;
 pub use recorder::{Off, Record, Recorder, Recording, Sink};
+pub(crate) use schema::generator;
 pub use schema::{scene_schema, trace_schema};
 pub use search::{
     Aligned, AlignedPart, BoundOutcome, BoundTest, Bounded, CellVisit, GridEnter, GridExit,

@@ -37,7 +37,7 @@ pub fn trace_schema() -> Value {
     })
 }
 
-fn generator() -> SchemaGenerator {
+pub(crate) fn generator() -> SchemaGenerator {
     SchemaSettings::draft2020_12().into_generator()
 }
 

@@ -27,6 +27,12 @@ pub struct Settings {
     /// The kinds of event that were kept; absent: all.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub only: Option<Vec<String>>,
+    /// The pixels of which every event was kept, whatever `only` says; absent: none.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub whole: Vec<[u32; 2]>,
+    /// The figure that this was traced for, as in 12-grid/walk.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub figure: Option<String>,
     /// The pixels that were kept; absent: all.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub region: Option<Region>,
@@ -42,6 +48,8 @@ impl Default for Settings {
             through: Through::Centres,
             one_sided: false,
             only: None,
+            whole: Vec::new(),
+            figure: None,
             region: None,
         }
     }

@@ -4,14 +4,12 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
 
-use raystep::cost_chart;
+use raystep::{cost_chart, text_width};
 use roxmltree::{Document, Node};
 
 use super::{lesson, made_up};
 use crate::cli::run::Folder;
-
-/// No letter is wider, in sizes of the letters (a digit of DejaVu Sans, which is wide, has 0.636).
-const ADVANCE: f64 = 0.65;
+use crate::layers::sources;
 
 /// Left, top, right, bottom.
 type Frame = [f64; 4];
@@ -31,8 +29,7 @@ fn size(root: Node) -> f64 {
 
 /// The most room that a text can take.
 fn frame(text: Node, size: f64) -> Frame {
-    let letters = text.text().unwrap().chars().count() as f64;
-    let width = letters * ADVANCE * size;
+    let width = text_width(text.text().unwrap()) * size;
     let [x, y] = ["x", "y"].map(|name| attribute(text, name));
     let left = match text.attribute("text-anchor") {
         None => x,
@@ -85,8 +82,13 @@ fn check(svg: &str) {
     let mut drawn: Vec<(String, Frame)> = Vec::new();
     for node in all() {
         match node.tag_name().name() {
-            "line" => {
-                let [x1, y1, x2, y2] = ["x1", "y1", "x2", "y2"].map(|name| attribute(node, name));
+            "path" => {
+                let data = node.attribute("d").unwrap();
+                let numbers = data.split(['M', 'L', ' ']).filter(|word| !word.is_empty());
+                let numbers: Vec<f64> = numbers.map(|word| word.parse().unwrap()).collect();
+                let [x1, y1, x2, y2] = numbers[..] else {
+                    panic!("not a straight line: {data}");
+                };
                 drawn.push((
                     "a line".into(),
                     [x1.min(x2), y1.min(y2), x1.max(x2), y1.max(y2)],
@@ -198,9 +200,13 @@ fn bars_grow_by_equal_steps_for_each_power_of_ten() {
         &made_up(&scene, &[[1, 0], [10, 0], [100, 0], [1000, 0]]),
     );
     let document = Document::parse(&svg).unwrap();
-    let full = document
-        .descendants()
-        .filter(|n| n.attribute("class") == Some("c-full"));
+    let full = document.descendants().filter(|node| {
+        let is_full = node.attribute("fill-opacity").is_none();
+        is_full
+            && node
+                .attribute("class")
+                .is_some_and(|class| class.contains("c_visited-area"))
+    });
     // the first one is the legend's
     let widths: Vec<f64> = full.skip(1).map(|bar| attribute(bar, "width")).collect();
     assert_eq!(widths.len(), 4);
@@ -215,15 +221,18 @@ fn bars_grow_by_equal_steps_for_each_power_of_ten() {
 
 #[test]
 fn one_file_alone_names_the_crate_that_writes_svg() {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/figure");
-    for entry in fs::read_dir(folder).unwrap() {
-        let path = entry.unwrap().path();
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
+    let mut checked = 0;
+    for path in sources(&folder) {
         let text = fs::read_to_string(&path).unwrap();
+        let names = text.lines().any(|line| line.starts_with("use svg::"));
         assert_eq!(
-            text.contains("svg::"),
-            path.ends_with("canvas.rs"),
+            names,
+            path.ends_with("figure/canvas.rs"),
             "{}",
             path.display()
         );
+        checked += 1;
     }
+    assert!(100 < checked, "{checked}");
 }

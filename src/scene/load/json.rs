@@ -2,13 +2,15 @@
 
 use std::path::Path;
 
+use serde::de::DeserializeOwned;
+
 use crate::scene::file::{SceneFile, ShapeFile};
 use crate::scene::load::locate::line_of;
 use crate::scene::load::{Lines, LoadError, Loaded, Place, Source, obj, read, text_of};
 
 /// Reads a scene; `folder` is where its mesh files are looked for.
 pub(super) fn read_json(file: &str, text: &str, folder: &Path) -> Result<Loaded, LoadError> {
-    let mut scene = parse(file, text)?;
+    let mut scene: SceneFile = parse_json(file, text, "scene")?;
     let mut notes = Vec::new();
     for (i, object) in scene.objects.iter_mut().enumerate() {
         let ShapeFile::Mesh(mesh) = &mut object.shape else {
@@ -61,18 +63,27 @@ fn unreadable_mesh(
     }
 }
 
-fn parse(file: &str, text: &str) -> Result<SceneFile, LoadError> {
+/// Reads a JSON file of a form that `raystep schema` knows by this name.
+///
+/// # Errors
+/// Anything that is not of this form, with its line and path.
+pub(crate) fn parse_json<T: DeserializeOwned>(
+    file: &str,
+    text: &str,
+    schema: &str,
+) -> Result<T, LoadError> {
     let mut json = serde_json::Deserializer::from_str(text);
-    let scene = serde_path_to_error::deserialize(&mut json).map_err(|error| {
+    let value = serde_path_to_error::deserialize(&mut json).map_err(|error| {
         let path = error.path().to_string();
-        form_error(file, &path, error.inner())
+        form_error(file, &path, error.inner(), schema)
     })?;
-    json.end().map_err(|error| form_error(file, "", &error))?;
-    Ok(scene)
+    let end = json.end();
+    end.map_err(|error| form_error(file, "", &error, schema))?;
+    Ok(value)
 }
 
 /// What `serde_json` said, in the words of the file instead of the program's, without its place.
-fn form_error(file: &str, path: &str, error: &serde_json::Error) -> LoadError {
+fn form_error(file: &str, path: &str, error: &serde_json::Error, schema: &str) -> LoadError {
     let message = error.to_string();
     let end = message.rfind(" at line ").unwrap_or(message.len());
     let what = message[..end]
@@ -92,11 +103,11 @@ fn form_error(file: &str, path: &str, error: &serde_json::Error) -> LoadError {
         .replace("unknown field", "unknown key")
         .replace("missing field", "missing key");
     let fix = if error.is_data() {
-        "the command 'raystep schema scene' prints what a scene file may contain"
+        format!("the command 'raystep schema {schema}' prints what a {schema} file may contain")
     } else if what == "number out of range" {
-        "give a number within ±1e50"
+        "give a number within ±1e50".into()
     } else {
-        "correct the JSON here, or in the line before; NaN and Infinity are not JSON"
+        "correct the JSON here, or in the line before; NaN and Infinity are not JSON".into()
     };
     LoadError::Form {
         place: Place {
@@ -105,6 +116,6 @@ fn form_error(file: &str, path: &str, error: &serde_json::Error) -> LoadError {
             path: path.into(),
         },
         what,
-        fix: fix.into(),
+        fix,
     }
 }

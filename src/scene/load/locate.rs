@@ -9,7 +9,7 @@ use serde::de::{DeserializeSeed, Deserializer, Error, IgnoredAny, MapAccess, Seq
 
 /// The line of the value at a path such as `objects[0].shape.sphere.radius`, counted from 1; of the
 /// innermost part of the path that is there. `None` if not even the first part is.
-pub(super) fn line_of(text: &str, path: &str) -> Option<usize> {
+pub(crate) fn line_of(text: &str, path: &str) -> Option<usize> {
     let steps: Vec<String> = path
         .split(['.', '['])
         .map(|step| step.trim_end_matches(']').into())

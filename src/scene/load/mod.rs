@@ -6,6 +6,9 @@ mod nff;
 mod obj;
 mod words;
 
+pub(crate) use json::parse_json;
+pub(crate) use locate::line_of;
+
 use std::fmt;
 use std::io;
 use std::path::Path;

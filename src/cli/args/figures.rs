@@ -1,0 +1,88 @@
+//! The arguments of the verbs that draw figures.
+
+use std::path::PathBuf;
+
+use clap::{Args as ClapArgs, ValueEnum};
+use raystep::FigureName;
+
+/// How a figure is drawn.
+#[derive(Debug, ClapArgs)]
+#[command(next_help_heading = "Drawing")]
+pub(crate) struct Drawing {
+    /// Folder of the lessons
+    #[arg(long, value_name = "DIR", default_value = "lessons")]
+    pub(crate) lessons: PathBuf,
+    /// For the column of a book, or for a slide of 16 : 9 with large letters
+    #[arg(long, value_enum, value_name = "FOR", default_value = "book")]
+    pub(crate) width: WidthName,
+    /// Shades of grey, for print
+    #[arg(long)]
+    pub(crate) grayscale: bool,
+    /// Plain colours that every program knows, in place of a page's own
+    #[arg(long)]
+    pub(crate) standalone: bool,
+}
+
+/// For what a figure is drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum WidthName {
+    /// A column of a book.
+    Book,
+    /// A slide.
+    Slide,
+}
+
+/// One figure.
+#[derive(Debug, ClapArgs)]
+#[command(after_help = "Examples:
+  raystep figure 12-grid/walk -o walk.svg
+  raystep figure 12-grid/walk --width slide --standalone -o walk.svg
+  raystep figure 12-grid/walk --write-log walk.jsonl -o walk.svg
+  raystep figure 12-grid/walk --log walk.jsonl -o walk.svg")]
+pub(crate) struct FigureArgs {
+    /// Lesson and figure
+    #[arg(value_name = "LESSON/NAME")]
+    pub(crate) name: FigureName,
+    /// The figure: .svg, or .png and .pdf where this program was built with the feature raster; - is
+    /// standard output
+    #[arg(short, long, value_name = "F.svg", default_value = "-")]
+    pub(crate) output: PathBuf,
+    /// Write PNG
+    #[arg(long, conflicts_with = "pdf")]
+    pub(crate) png: bool,
+    /// Write PDF
+    #[arg(long)]
+    pub(crate) pdf: bool,
+    /// Show the trace up to this step
+    #[arg(long, value_name = "N", conflicts_with = "steps")]
+    pub(crate) step: Option<u32>,
+    /// Write one file for each step that adds something: F-1.svg, F-2.svg, …
+    #[arg(long)]
+    pub(crate) steps: bool,
+    /// Draw from this log of the figure, without its scene
+    #[arg(long, value_name = "F.jsonl")]
+    pub(crate) log: Option<PathBuf>,
+    /// Keep the log that the figure is drawn from
+    #[arg(long, value_name = "F.jsonl", conflicts_with = "log")]
+    pub(crate) write_log: Option<PathBuf>,
+    /// How it is drawn.
+    #[command(flatten)]
+    pub(crate) drawing: Drawing,
+}
+
+/// All figures.
+#[derive(Debug, ClapArgs)]
+#[command(after_help = "Examples:
+  raystep figures --out figures
+  raystep figures --out figures --check")]
+pub(crate) struct FiguresArgs {
+    /// Folder of the figures, one folder for each lesson in it
+    #[arg(long, value_name = "DIR", default_value = "figures")]
+    pub(crate) out: PathBuf,
+    /// Write nothing; tell which of the figures there differ from what would be drawn
+    #[arg(long)]
+    pub(crate) check: bool,
+    /// How they are drawn.
+    #[command(flatten)]
+    pub(crate) drawing: Drawing,
+}

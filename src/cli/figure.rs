@@ -1,0 +1,129 @@
+//! `raystep figure`: one figure of a lesson, from its scene or from a saved log.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use raystep::{
+    Drawn, FigureName, FigureSpec, Lesson, LessonError, Library, LogError, Rendition, Traced, Width,
+};
+
+use crate::cli::Error;
+use crate::cli::args::{Drawing, FigureArgs, WidthName};
+use crate::cli::output::{Output, is_standard};
+use crate::cli::raster;
+
+impl Drawing {
+    /// For what it is drawn, and how it is written.
+    pub(crate) fn rendition(&self) -> (Width, Rendition) {
+        let width = match self.width {
+            WidthName::Book => Width::Book,
+            WidthName::Slide => Width::Slide,
+        };
+        let rendition = Rendition {
+            grayscale: self.grayscale,
+            standalone: self.standalone,
+            up_to: None,
+        };
+        (width, rendition)
+    }
+}
+
+/// What the ids of a figure in a file of its own begin with.
+pub(crate) fn id_of(name: &FigureName) -> String {
+    let lesson = name.lesson.chars();
+    let lesson: String = lesson
+        .map(|c| if c.is_ascii_alphanumeric() { c } else { '-' })
+        .collect();
+    format!("raystep-{lesson}-{}", name.figure)
+}
+
+/// Draws the figure.
+pub(crate) fn run(args: &FigureArgs) -> Result<(), Error> {
+    let write = writer(args);
+    let library = Library::open(&args.drawing.lessons)?;
+    let (lesson, spec) = library.find(&args.name)?;
+    let traced = match &args.log {
+        Some(log) => read_log(log)?,
+        None => lesson.trace(&args.name.figure, spec)?,
+    };
+    if let Some(path) = &args.write_log {
+        let mut log = Output::create(path)?;
+        for traced in &traced {
+            traced.write(&mut log).map_err(|error| log.failed(error))?;
+        }
+        log.finish()?;
+    }
+
+    let (width, rendition) = args.drawing.rendition();
+    let draw = |up_to| {
+        let rendition = Rendition { up_to, ..rendition };
+        drawn(lesson, spec, &args.name, &traced, (width, rendition))
+    };
+    let whole = draw(args.step)?;
+    if !args.steps {
+        return Output::create(&args.output)?.write_whole(&write(&whole.svg)?);
+    }
+    let steps = &whole.steps;
+    let files = numbered(&args.output, steps.len())?;
+    let mut drawings = Vec::with_capacity(steps.len());
+    for step in steps {
+        drawings.push(write(&draw(Some(*step))?.svg)?);
+    }
+    for (file, drawing) in files.iter().zip(drawings) {
+        Output::create(file)?.write_whole(&drawing)?;
+    }
+    Ok(())
+}
+
+/// Draws a figure of a lesson into a file of its own.
+pub(crate) fn drawn(
+    lesson: &Lesson,
+    spec: &FigureSpec,
+    name: &FigureName,
+    traced: &[Traced],
+    how: (Width, Rendition),
+) -> Result<Drawn, LessonError> {
+    lesson.draw(&name.figure, spec, traced, &id_of(name), how)
+}
+
+fn read_log(path: &Path) -> Result<Vec<Traced>, Error> {
+    let file = path.display().to_string();
+    let bytes = fs::read(path).map_err(|source| LogError::Read {
+        file: file.clone(),
+        source,
+    })?;
+    Ok(Traced::read(&file, &bytes)?)
+}
+
+/// How a drawing becomes the bytes of the format that is asked for.
+type Format = fn(&str) -> Result<Vec<u8>, Error>;
+
+fn writer(args: &FigureArgs) -> Format {
+    let ending = args.output.extension();
+    let ends = |with: &str| ending.is_some_and(|ending| ending.eq_ignore_ascii_case(with));
+    if args.png || (!args.pdf && ends("png")) {
+        raster::png
+    } else if args.pdf || ends("pdf") {
+        raster::pdf
+    } else {
+        |svg| Ok(svg.as_bytes().to_vec())
+    }
+}
+
+/// `F-1.svg`, `F-2.svg`, … with as many digits as the last needs.
+fn numbered(output: &Path, count: usize) -> Result<Vec<PathBuf>, Error> {
+    if is_standard(output) {
+        return Err(Error::Target {
+            file: "standard output".into(),
+            what: "--steps writes several files".into(),
+            fix: "name the files with -o F.svg: they become F-1.svg, F-2.svg and so on".into(),
+        });
+    }
+    let digits = count.to_string().len();
+    let stem = output.file_stem().unwrap_or_default().to_string_lossy();
+    let ending = output.extension().map_or(String::new(), |ending| {
+        format!(".{}", ending.to_string_lossy())
+    });
+    let name = |i: usize| output.with_file_name(format!("{stem}-{i:0digits$}{ending}"));
+    Ok((1..=count).map(name).collect())
+}

@@ -1,0 +1,99 @@
+//! `raystep figures`: all figures of the lessons, written or checked against those that are there.
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::io;
+use std::path::{Path, PathBuf};
+
+use rayon::prelude::*;
+use raystep::{FigureName, Library};
+
+use crate::cli::Error;
+use crate::cli::args::FiguresArgs;
+use crate::cli::figure::drawn;
+use crate::cli::output::Output;
+
+/// Draws all figures; writes those that changed, or tells them.
+pub(crate) fn run(args: &FiguresArgs) -> Result<(), Error> {
+    let library = Library::open(&args.drawing.lessons)?;
+    let how = args.drawing.rendition();
+    let draw = |name: FigureName| {
+        let (lesson, spec) = library.find(&name)?;
+        let traced = lesson.trace(&name.figure, spec)?;
+        let drawn = drawn(lesson, spec, &name, &traced, how)?;
+        let file = args
+            .out
+            .join(&name.lesson)
+            .join(format!("{}.svg", name.figure));
+        Ok((file, drawn.svg))
+    };
+    let drawn: Result<Vec<(PathBuf, String)>, Error> =
+        library.figures().into_par_iter().map(draw).collect();
+    let drawn = drawn?;
+    if args.check {
+        return check(args, &drawn);
+    }
+    for (file, svg) in &drawn {
+        // a figure that is up to date keeps its time, for programs that watch it
+        if fs::read(file).is_ok_and(|there| there == svg.as_bytes()) {
+            continue;
+        }
+        if let Some(folder) = file.parent() {
+            fs::create_dir_all(folder).map_err(|source| Error::Write {
+                file: folder.display().to_string(),
+                source,
+            })?;
+        }
+        Output::create(file)?.write_whole(svg.as_bytes())?;
+    }
+    Ok(())
+}
+
+/// Tells which files are not what would be drawn.
+fn check(args: &FiguresArgs, drawn: &[(PathBuf, String)]) -> Result<(), Error> {
+    let mut stale = Vec::new();
+    for (file, svg) in drawn {
+        match fs::read(file) {
+            Ok(there) if there == svg.as_bytes() => {}
+            Ok(_) => stale.push(format!("{}: differs", file.display())),
+            Err(error) if error.kind() == io::ErrorKind::NotFound => {
+                stale.push(format!("{}: is missing", file.display()));
+            }
+            Err(error) => stale.push(format!("{}: {error}", file.display())),
+        }
+    }
+    let known: BTreeSet<&Path> = drawn.iter().map(|(file, _)| file.as_path()).collect();
+    for lesson in folders(&args.out) {
+        for file in files(&lesson) {
+            if !known.contains(file.as_path()) {
+                stale.push(format!("{}: no lesson has this figure", file.display()));
+            }
+        }
+    }
+    if stale.is_empty() {
+        return Ok(());
+    }
+    Err(Error::Stale {
+        stale,
+        of: drawn.len(),
+        out: args.out.display().to_string(),
+    })
+}
+
+/// The folders in a folder; none if it cannot be read, which shows by its figures missing.
+fn folders(folder: &Path) -> Vec<PathBuf> {
+    entries(folder).filter(|path| path.is_dir()).collect()
+}
+
+/// The drawings in a folder.
+fn files(folder: &Path) -> Vec<PathBuf> {
+    let is_svg = |path: &PathBuf| path.extension().is_some_and(|ending| ending == "svg");
+    let mut files: Vec<PathBuf> = entries(folder).filter(is_svg).collect();
+    files.sort();
+    files
+}
+
+fn entries(folder: &Path) -> impl Iterator<Item = PathBuf> {
+    let entries = fs::read_dir(folder).into_iter().flatten();
+    entries.filter_map(|entry| Some(entry.ok()?.path()))
+}

@@ -1,0 +1,303 @@
+//! From a specification and its trace to a drawing.
+
+use glam::DVec3;
+use serde::Serialize;
+
+use crate::figure::canvas::{Canvas, Rendition};
+use crate::figure::error::FigureError;
+use crate::figure::frame::Frame;
+use crate::figure::kinds::{Kind, kind};
+use crate::figure::picture;
+use crate::figure::sheet::{Sheet, Width};
+use crate::figure::spec::{FigureKind, FigureSpec, Layer};
+use crate::figure::traced::Traced;
+use crate::figure::view::{Projection, Stage};
+use crate::scene::{PrimitiveId, Scene};
+use crate::trace::{Event, RayNode, RayTree, Record};
+
+/// A figure as it came out.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Drawn {
+    /// The drawing.
+    pub svg: String,
+    /// What it shows, in words made from the events: what is read out in its place.
+    pub description: String,
+    /// The steps of the trace that make something in it, rising.
+    pub steps: Vec<u32>,
+}
+
+/// Draws a figure from its trace alone. The id begins all ids and classes in it: a word of letters, digits and `-`.
+///
+/// # Errors
+/// A specification that asks for what the trace or the kind of figure does not have.
+pub fn draw(
+    spec: &FigureSpec,
+    traced: &[Traced],
+    id: &str,
+    width: Width,
+    rendition: Rendition,
+) -> Result<Drawn, FigureError> {
+    let [first, ..] = traced else {
+        return Err(FigureError::new(
+            "scene",
+            "the log of this figure is empty",
+            "write it again with raystep figure NAME --write-log F.jsonl",
+        ));
+    };
+    is_whole(spec, traced)?;
+    let kind = kind(spec.kind);
+    for layer in &spec.show {
+        if !kind.layers.contains(layer) && *layer != Layer::Image {
+            let layers = kind.layers.iter().chain([&Layer::Image]);
+            let has: Vec<String> = layers.map(|of| of.name()).collect();
+            return Err(FigureError::new(
+                "show",
+                format!("this kind of figure has nothing called {}", layer.name()),
+                format!("choose among {}", has.join(", ")),
+            ));
+        }
+    }
+    let figure = Figure {
+        spec,
+        traced,
+        kind: &kind,
+        scene: &first.scene,
+        first,
+    };
+    let mut sheet = Sheet::new(width, kind.height);
+    let mut body = sheet.body();
+    if spec.show.contains(&Layer::Image) {
+        body = picture::beside(&figure, &mut sheet, body);
+    }
+    let description = (kind.draw)(&figure, &mut sheet, body)?;
+    let marks = sheet.marks.iter().map(|mark| mark.step);
+    let words = sheet.words.iter().map(|of| of.step);
+    let labels = sheet.labels.iter().map(|of| of.step);
+    let mut steps: Vec<u32> = marks.chain(words).chain(labels).flatten().collect();
+    steps.sort_unstable();
+    steps.dedup();
+    let rendition = Rendition {
+        up_to: rendition.up_to.or(spec.step),
+        ..rendition
+    };
+    Ok(Drawn {
+        svg: Canvas::write(sheet, id, [&figure.title(), &description], rendition),
+        description,
+        steps,
+    })
+}
+
+/// Is the log of a figure all there? Its pixels all have a colour, and there is one trace for each variant.
+fn is_whole(spec: &FigureSpec, traced: &[Traced]) -> Result<(), FigureError> {
+    let of_figure = |of: &&Traced| of.settings.figure.is_some();
+    if !traced.iter().all(|of| of_figure(&of)) {
+        // a log of another kind has what it has
+        return Ok(());
+    }
+    let variants = spec.strategies.len().max(1) * spec.volumes.len().max(1);
+    let cut = |of: &&Traced| of.picture().iter().any(Option::is_none);
+    if traced.len() == variants && !traced.iter().any(|of| cut(&of)) {
+        return Ok(());
+    }
+    Err(FigureError::new(
+        "",
+        "the log of this figure is not whole: its end is missing, or the lesson has changed since",
+        "write it again with raystep figure NAME --write-log F.jsonl",
+    ))
+}
+
+/// What a kind of figure draws from.
+pub(super) struct Figure<'a> {
+    pub(super) spec: &'a FigureSpec,
+    /// One trace for each strategy.
+    pub(super) traced: &'a [Traced],
+    /// The first of them.
+    pub(super) first: &'a Traced,
+    pub(super) scene: &'a Scene,
+    kind: &'a Kind,
+}
+
+impl<'a> Figure<'a> {
+    /// The title that the specification gives, or what is drawn of which scene.
+    fn title(&self) -> String {
+        if !self.spec.title.is_empty() {
+            return self.spec.title.clone();
+        }
+        let of = match self.scene.name.as_str() {
+            "" => "the scene",
+            name => name,
+        };
+        let pixels = self.pixels();
+        let pixels: Vec<String> = pixels.iter().map(|[x, y]| format!("({x}, {y})")).collect();
+        let kind = self.spec.kind.name();
+        match pixels.len() {
+            0 => format!("{kind} of {of}"),
+            1 => format!("{kind} of {of}, pixel {}", pixels[0]),
+            _ => format!("{kind} of {of}, pixels {}", pixels.join(", ")),
+        }
+    }
+
+    /// Is this part shown?
+    pub(super) fn shows(&self, layer: Layer) -> bool {
+        let chosen = self.spec.show.iter().any(|of| *of != Layer::Image);
+        let layers = if chosen {
+            self.spec.show.as_slice()
+        } else {
+            self.kind.usual
+        };
+        layers.contains(&layer)
+    }
+
+    /// The pixels that are drawn.
+    pub(super) fn pixels(&self) -> Vec<[u32; 2]> {
+        self.spec.traced_pixels()
+    }
+
+    /// The pixel that is drawn.
+    ///
+    /// # Errors
+    /// The specification names none.
+    pub(super) fn pixel(&self) -> Result<[u32; 2], FigureError> {
+        self.pixels().first().copied().ok_or_else(|| {
+            FigureError::new(
+                "pixel",
+                "this kind of figure draws the trace of a pixel, and none is named",
+                "add \"pixel\": [x, y]",
+            )
+        })
+    }
+
+    /// The events of the pixel that is drawn.
+    ///
+    /// # Errors
+    /// There is none, or nothing was recorded about it.
+    pub(super) fn records(&self) -> Result<&'a [Record], FigureError> {
+        self.records_of(self.pixel()?)
+    }
+
+    /// The events of one of the pixels that are drawn.
+    ///
+    /// # Errors
+    /// Nothing was recorded about it.
+    pub(super) fn records_of(&self, pixel: [u32; 2]) -> Result<&'a [Record], FigureError> {
+        records_in(self.first, pixel)
+    }
+
+    /// The ray that is drawn, with the events on it.
+    ///
+    /// # Errors
+    /// The pixel has no such ray.
+    pub(super) fn ray(&self) -> Result<DrawnRay<'a>, FigureError> {
+        DrawnRay::find(self.records()?, self.spec.ray.unwrap_or(0))
+    }
+
+    /// The projection that the specification asks for.
+    pub(super) fn projection(&self) -> Projection {
+        self.spec.view.projection(&self.scene.camera)
+    }
+
+    /// A stage in a frame that shows what the specification names, or else these points.
+    pub(super) fn stage(&self, frame: Frame, points: impl IntoIterator<Item = DVec3>) -> Stage {
+        let projection = self.projection();
+        match self.spec.frame {
+            Some(corners) => Stage::fitted(projection, frame, corners.map(DVec3::from)),
+            None => Stage::fitted(projection, frame, points),
+        }
+    }
+
+    /// The first primitive of the object that the specification names.
+    ///
+    /// # Errors
+    /// The scene has no such object.
+    pub(super) fn object(&self) -> Result<Option<PrimitiveId>, FigureError> {
+        let Some(name) = &self.spec.object else {
+            return Ok(None);
+        };
+        let objects = &self.scene.objects;
+        if let Some(object) = objects.iter().find(|object| object.name == *name) {
+            return Ok(Some(object.first));
+        }
+        let known = objects.iter().map(|object| object.name.as_str());
+        let near = crate::scene::nearest_name(name, known);
+        let fix = near.map_or("name one of its objects".into(), |near| {
+            format!("did you mean {near:?}?")
+        });
+        let what = format!("the scene has no object {name:?}");
+        Err(FigureError::new("object", what, fix))
+    }
+}
+
+/// The events of a pixel in one of the traces.
+///
+/// # Errors
+/// Nothing was recorded about it.
+pub(super) fn records_in(traced: &Traced, pixel: [u32; 2]) -> Result<&[Record], FigureError> {
+    let records = traced.pixel(pixel);
+    let begins = |record: &Record| matches!(record.event, Event::Pixel(_));
+    if records.first().is_some_and(begins) {
+        return Ok(records);
+    }
+    let [x, y] = pixel;
+    Err(FigureError::new(
+        "pixel",
+        format!("the log has no events of pixel {x},{y}"),
+        "trace the figure again, or name a pixel that the log holds",
+    ))
+}
+
+impl FigureSpec {
+    /// The pixels whose whole trace the figure draws.
+    pub fn traced_pixels(&self) -> Vec<[u32; 2]> {
+        self.pixel
+            .into_iter()
+            .chain(self.pixels.iter().copied())
+            .collect()
+    }
+}
+
+/// The name that a lesson file has for a value.
+fn name_in_file(value: impl Serialize) -> String {
+    let json = serde_json::to_value(value).unwrap_or_default();
+    json.as_str().unwrap_or_default().into()
+}
+
+impl Layer {
+    fn name(self) -> String {
+        name_in_file(self)
+    }
+}
+
+impl FigureKind {
+    fn name(self) -> String {
+        name_in_file(self)
+    }
+}
+
+/// A ray of a pixel, and what happened on it.
+pub(super) struct DrawnRay<'a> {
+    /// Its start, its end.
+    pub(super) node: RayNode,
+    /// What happened on it, its own start and end left out, and the rays sent on from it.
+    pub(super) events: Vec<&'a Record>,
+}
+
+impl<'a> DrawnRay<'a> {
+    pub(super) fn find(records: &'a [Record], id: u32) -> Result<Self, FigureError> {
+        let tree = RayTree::new(records);
+        let Some(place) = tree.find(id) else {
+            let last = tree.rays.len().saturating_sub(1);
+            return Err(FigureError::new(
+                "ray",
+                format!("the pixel has no ray {id}"),
+                format!("its rays are 0 to {last}"),
+            ));
+        };
+        let events = records.iter().filter(|record| {
+            record.ray == Some(id) && !matches!(record.event, Event::Ray(_) | Event::RayEnd(_))
+        });
+        Ok(Self {
+            node: tree.rays[place].clone(),
+            events: events.collect(),
+        })
+    }
+}

@@ -1,0 +1,32 @@
+//! Why a figure cannot be drawn.
+
+use std::fmt;
+
+/// What is wrong with a figure's specification, or with the log it is to be drawn from.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct FigureError {
+    /// The key of the specification that it is about, such as `pixel`.
+    pub key: &'static str,
+    /// What is wrong.
+    pub what: String,
+    /// What to do about it.
+    pub fix: String,
+}
+
+impl FigureError {
+    pub(super) fn new(key: &'static str, what: impl Into<String>, fix: impl Into<String>) -> Self {
+        Self {
+            key,
+            what: what.into(),
+            fix: fix.into(),
+        }
+    }
+}
+
+impl fmt::Display for FigureError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}\n  {}", self.what, self.fix)
+    }
+}
+
+impl std::error::Error for FigureError {}

@@ -1,0 +1,226 @@
+//! A ray through a grid in 2D (Fig. 15.62): the cells it pierces, in order, and the objects on their lists.
+//!
+//! An object in several cells is tested in the first of them; a hit beyond its cell does not end the walk (erratum 6).
+
+use crate::figure::canvas::quantity;
+use crate::figure::drawing::{DrawnRay, Figure};
+use crate::figure::error::FigureError;
+use crate::figure::frame::Frame;
+use crate::figure::kinds::Kind;
+use crate::figure::kinds::plan::{self, Plan};
+use crate::figure::kinds::walk::{Listed, Visit, Walk, cell_name};
+use crate::figure::look::{Dash, Look};
+use crate::figure::outline::{self, Outline};
+use crate::figure::scenery;
+use crate::figure::sheet::Sheet;
+use crate::figure::spec::Layer;
+use crate::figure::view::Stage;
+use crate::scene::PrimitiveId;
+use crate::trace::WalkEnd;
+
+pub(super) const KIND: Kind = Kind {
+    draw,
+    height: 440.0,
+    layers: &[
+        Layer::Objects,
+        Layer::Names,
+        Layer::Eye,
+        Layer::Cells,
+        Layer::Lists,
+        Layer::Ray,
+        Layer::Tests,
+        Layer::Numbers,
+        Layer::Legend,
+    ],
+    usual: &[Layer::Objects, Layer::Cells, Layer::Ray, Layer::Tests],
+};
+
+/// An object that was met, but behind another.
+const MET: Look = Look {
+    dash: Dash::Alternating,
+    ..Look::HIT
+};
+
+fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, FigureError> {
+    let ray = figure.ray()?;
+    let walk = Walk::of(&ray)?;
+    let tested = walk.tested();
+    let body = if figure.shows(Layer::Legend) {
+        legend(figure, (&ray, &tested), sheet, body)
+    } else {
+        body
+    };
+    let plan = Plan::new(figure, (&ray, &walk), body)?;
+
+    if figure.shows(Layer::Cells) {
+        plan.planes(sheet);
+        for (place, visit) in walk.visits.iter().enumerate() {
+            plan.cell(sheet, visit, label(figure, place + 1, visit));
+        }
+    }
+    sheet.at_step(None);
+    if figure.shows(Layer::Objects) {
+        let look = if figure.shows(Layer::Tests) {
+            Look::CULLED
+        } else {
+            Look::OBJECT
+        };
+        scenery::objects(figure, sheet, &plan.stage, |_| look);
+    }
+    if figure.shows(Layer::Tests) {
+        for listed in &tested {
+            object(figure, sheet, &plan.stage, (&ray, listed));
+        }
+    }
+    if figure.shows(Layer::Ray) {
+        plan.ray(sheet, &walk);
+    }
+    if figure.shows(Layer::Tests) {
+        hits(figure, sheet, &plan, (&ray, &walk));
+    }
+    sheet.at_step(None);
+    if figure.shows(Layer::Eye) {
+        scenery::eye(figure, sheet, &plan.stage);
+    }
+    scenery::names_of(figure, sheet, &plan.stage, |object| {
+        let is_it = |listed: &Listed| figure.scene.object_of(listed.object).first == object.first;
+        let is_tested = figure.shows(Layer::Tests) && tested.iter().any(is_it);
+        is_tested || figure.shows(Layer::Names)
+    });
+    Ok(in_words(figure, &ray, &walk))
+}
+
+/// The number of a cell, and its list if lists are shown: what was tested before stands in brackets.
+fn label(figure: &Figure, number: usize, visit: &Visit) -> String {
+    if !figure.shows(Layer::Lists) || visit.listed.is_empty() {
+        return number.to_string();
+    }
+    let names = visit.listed.iter().map(|listed| {
+        let name = scenery::name_of(figure.scene, listed.object);
+        match listed.met {
+            Some(_) => name,
+            None => format!("({name})"),
+        }
+    });
+    let names: Vec<String> = names.collect();
+    format!("{number}: {}", names.join(", "))
+}
+
+/// Was this object the nearest in the end?
+fn is_nearest(ray: &DrawnRay, object: PrimitiveId) -> bool {
+    ray.node.end.is_some_and(|end| end.object == Some(object))
+}
+
+fn look(ray: &DrawnRay, tested: &Listed) -> Look {
+    match tested.met {
+        Some(true) if is_nearest(ray, tested.object) => Look::HIT,
+        Some(true) => MET,
+        _ => Look::REJECTED,
+    }
+}
+
+/// An object that was tested, over its own outline.
+fn object(figure: &Figure, sheet: &mut Sheet, stage: &Stage, (ray, tested): (&DrawnRay, &Listed)) {
+    let shape = &figure.scene.primitive(tested.object).shape;
+    let outline = Outline::of(shape, &stage.projection);
+    sheet.at_step(tested.step);
+    outline::rim(sheet, stage, &outline.rim, Look::PAPER_LINE.wide(2.0));
+    outline::draw(sheet, stage, &outline, look(ray, tested));
+}
+
+/// Where objects were met.
+fn hits(figure: &Figure, sheet: &mut Sheet, plan: &Plan, (ray, walk): (&DrawnRay, &Walk)) {
+    let frame = plan.stage.frame;
+    for (place, visit) in walk.visits.iter().enumerate() {
+        for listed in &visit.listed {
+            let Some(outside) = listed.outside else {
+                continue;
+            };
+            let at = plan.place(outside.t);
+            sheet.at_step(listed.step);
+            sheet.ring(MET, at);
+            let beyond = format!("beyond cell {}", place + 1);
+            sheet.label(frame, at, plan.above(), beyond);
+        }
+    }
+    let Some(t) = ray.node.end.and_then(|end| end.t) else {
+        return;
+    };
+    let at = plan.place(t);
+    sheet.at_step(plan.last_step());
+    sheet.dot(Look::HIT, at);
+    if figure.shows(Layer::Numbers) {
+        sheet.label(frame, at, plan.above(), format!("t = {}", quantity(t)));
+    }
+}
+
+/// What there is to be told apart in this figure.
+fn legend(
+    figure: &Figure,
+    (ray, tested): (&DrawnRay, &[Listed]),
+    sheet: &mut Sheet,
+    body: Frame,
+) -> Frame {
+    let mut entries = Vec::new();
+    if figure.shows(Layer::Cells) {
+        entries.push((plan::EMPTY, "cell pierced, empty"));
+        entries.push((plan::LISTED, "with objects"));
+    }
+    if figure.shows(Layer::Tests) {
+        let looks: Vec<Look> = tested.iter().map(|of| look(ray, of)).collect();
+        let known = [
+            (Look::HIT, "hit"),
+            (MET, "hit further off"),
+            (Look::REJECTED, "missed"),
+        ];
+        entries.extend(known.into_iter().filter(|(look, _)| looks.contains(look)));
+        if looks.len() < figure.scene.primitives.len() {
+            entries.push((Look::CULLED, "not tested"));
+        }
+    }
+    sheet.legend(body, &entries)
+}
+
+/// The walk in words.
+fn in_words(figure: &Figure, ray: &DrawnRay, walk: &Walk) -> String {
+    let [nx, ny, nz] = walk.grid.resolution;
+    let count = walk.visits.len();
+    let cells = if count == 1 { "cell" } else { "cells" };
+    let mut sentences = vec![format!(
+        "Ray R pierces {count} {cells} of a grid of {nx} × {ny} × {nz}."
+    )];
+    let visits = (1..).zip(&walk.visits);
+    sentences.extend(visits.filter_map(|(number, visit)| list_in_words(figure, number, visit)));
+    let met = ray.node.end.and_then(|end| end.object.zip(end.t));
+    sentences.push(match (met, walk.end) {
+        (Some((object, t)), _) => {
+            let name = scenery::name_of(figure.scene, object);
+            format!("It meets {name} at t = {}.", quantity(t))
+        }
+        (None, WalkEnd::Outside) => "It passes the grid by.".into(),
+        (None, _) => "It meets nothing.".into(),
+    });
+    sentences.join(" ")
+}
+
+/// What became of the objects on a cell's list; `None` if there are none.
+fn list_in_words(figure: &Figure, number: u32, visit: &Visit) -> Option<String> {
+    if visit.listed.is_empty() {
+        return None;
+    }
+    let found = visit.listed.iter().map(|listed| {
+        let name = scenery::name_of(figure.scene, listed.object);
+        match (listed.met, listed.outside) {
+            (None, _) => format!("{name} was tested before"),
+            (Some(false), _) => format!("{name} is missed"),
+            (Some(true), None) => format!("{name} is hit"),
+            (Some(true), Some(_)) => format!("{name} is hit, but beyond the cell"),
+        }
+    });
+    let found: Vec<String> = found.collect();
+    let cell = cell_name(visit.cell.cell);
+    Some(format!(
+        "On the list of cell {number}, {cell}: {}.",
+        found.join("; ")
+    ))
+}

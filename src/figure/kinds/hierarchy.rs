@@ -1,0 +1,316 @@
+//! The tree of a hierarchy and its nested volumes, for one ray (slides, "Traverse the Hierarchies").
+//!
+//! Both show the same nodes under the same numbers: which were entered, rejected, pruned because a nearer hit was
+//! known, and which the ray never came to.
+
+use glam::DVec2;
+
+use crate::figure::bound;
+use crate::figure::drawing::{DrawnRay, Figure};
+use crate::figure::error::FigureError;
+use crate::figure::frame::Frame;
+use crate::figure::kinds::Kind;
+use crate::figure::look::Look;
+use crate::figure::outline;
+use crate::figure::scenery;
+use crate::figure::sheet::{Anchor, Sheet};
+use crate::figure::spec::Layer;
+use crate::figure::tree::Tree;
+use crate::figure::visits::{Fate, Visits, met};
+use crate::geometry::MOST_SLABS;
+use crate::structure::Hierarchy;
+
+pub(super) const KIND: Kind = Kind {
+    draw,
+    height: 420.0,
+    layers: &[
+        Layer::Objects,
+        Layer::Names,
+        Layer::Volumes,
+        Layer::Numbers,
+        Layer::Ray,
+        Layer::Tree,
+        Layer::Legend,
+    ],
+    usual: &[
+        Layer::Objects,
+        Layer::Names,
+        Layer::Volumes,
+        Layer::Numbers,
+        Layer::Ray,
+        Layer::Tree,
+        Layer::Legend,
+    ],
+};
+
+/// Some 32 leaves stand side by side on a slide, with their numbers; a binary tree has as many nodes above them.
+const MOST_NODES: usize = 63;
+
+/// What is drawn.
+struct Walk<'a> {
+    ray: DrawnRay<'a>,
+    hierarchy: Hierarchy<MOST_SLABS>,
+    tree: Tree,
+    visits: Visits,
+}
+
+fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, FigureError> {
+    let ray = figure.ray()?;
+    let hierarchy = bound::hierarchy(figure.first)?;
+    let visits = Visits::of(&ray.events, hierarchy.nodes().len());
+    if visits.order.is_empty() {
+        return Err(FigureError::new(
+            "ray",
+            "the ray comes to no node",
+            "name a ray that is searched for, in a scene with objects",
+        ));
+    }
+    let nodes = hierarchy.nodes().len();
+    if MOST_NODES < nodes {
+        return Err(FigureError::new(
+            "scene",
+            format!("the tree of {nodes} nodes is larger than a page can show"),
+            format!("take a scene with fewer objects: a figure has room for {MOST_NODES} nodes"),
+        ));
+    }
+    let walk = Walk {
+        tree: Tree::of(&hierarchy),
+        ray,
+        hierarchy,
+        visits,
+    };
+    let body = if figure.shows(Layer::Legend) {
+        let there = Fate::ALL
+            .into_iter()
+            .filter(|fate| 0 < walk.visits.count(*fate));
+        let entries: Vec<(Look, &str)> = there.map(|fate| (fate.look(), fate.name())).collect();
+        sheet.legend(body, &entries)
+    } else {
+        body
+    };
+    let volumes = figure.shows(Layer::Volumes) || figure.shows(Layer::Objects);
+    match (volumes, figure.shows(Layer::Tree)) {
+        (true, true) => {
+            let [left, right] = body.split(0.5, 1.5 * sheet.letters);
+            walk.volumes(figure, sheet, left);
+            walk.tree(figure, sheet, right);
+        }
+        (true, false) => walk.volumes(figure, sheet, body),
+        (false, _) => walk.tree(figure, sheet, body),
+    }
+    Ok(walk.in_words(figure))
+}
+
+impl Walk<'_> {
+    /// The volumes of the nodes around the objects, and the ray.
+    fn volumes(&self, figure: &Figure, sheet: &mut Sheet, frame: Frame) {
+        let set = self.hierarchy.set();
+        let nodes = self.hierarchy.nodes();
+        let bounds: Vec<_> = nodes
+            .iter()
+            .map(|node| bound::slabs(set, &node.bound))
+            .collect();
+        let origin = self.ray.node.start.map(|start| start.ray.origin);
+        let root = bounds
+            .first()
+            .map_or(Vec::new(), |root| bound::corners(root));
+        let shown = root
+            .into_iter()
+            .chain(origin.filter(|_| figure.shows(Layer::Ray)));
+        let stage = figure.stage(frame, shown);
+        sheet.at_step(None);
+        if figure.shows(Layer::Objects) {
+            scenery::objects(figure, sheet, &stage, |_| Look::OBJECT);
+        }
+        for (visit, slabs) in self.visits.nodes.iter().zip(&bounds) {
+            if figure.shows(Layer::Volumes) {
+                sheet.at_step(visit.step);
+                let around = bound::outline(slabs, &stage.projection);
+                outline::draw(sheet, &stage, &around, visit.fate.look().outline());
+            }
+        }
+        if figure.shows(Layer::Ray) {
+            self.ray(sheet, &stage);
+        }
+        sheet.at_step(None);
+        if figure.shows(Layer::Names) {
+            scenery::names(figure, sheet, &stage);
+        }
+        if figure.shows(Layer::Volumes) && figure.shows(Layer::Numbers) {
+            for (number, slabs) in bounds.iter().enumerate() {
+                // a leaf is known by its object
+                if self.tree.nodes[number].objects.len() == 1 && figure.shows(Layer::Names) {
+                    continue;
+                }
+                let rim = bound::outline(slabs, &stage.projection).rim.points();
+                let on_sheet = rim.into_iter().map(|point| stage.place_flat(point));
+                let Some(around) = Frame::around(on_sheet) else {
+                    continue;
+                };
+                let corner = DVec2::new(around.max.x, around.min.y);
+                if stage.frame.contains(corner) {
+                    sheet.at_step(self.visits.nodes[number].step);
+                    sheet.label(
+                        stage.frame,
+                        corner,
+                        DVec2::new(1.0, -1.0),
+                        number.to_string(),
+                    );
+                }
+            }
+        }
+    }
+
+    /// The ray as far as it goes.
+    fn ray(&self, sheet: &mut Sheet, stage: &crate::figure::view::Stage) {
+        let Some(start) = self.ray.node.start else {
+            return;
+        };
+        let origin = stage.place(start.ray.origin);
+        let met = met(&self.ray);
+        let end = met.map(|(_, t)| t).or_else(|| stage.leaves(&start.ray));
+        let Some(end) = end.map(|t| stage.place(start.ray.at(t))) else {
+            return;
+        };
+        if let Some([from, to]) = stage.frame.cut_line([origin, end]) {
+            sheet.at_step(None);
+            sheet.arrow(Look::RAY, from, to);
+            let along = to - from;
+            sheet.label(stage.frame, from + 0.1 * along, along.perp(), "ray r");
+            if met.is_some() {
+                let test = self.visits.tested.iter().rfind(|(_, _, is_hit)| *is_hit);
+                sheet.at_step(test.map(|(_, step, _)| *step));
+                sheet.dot(Look::HIT, to);
+            }
+        }
+    }
+
+    /// The tree of the nodes.
+    fn tree(&self, figure: &Figure, sheet: &mut Sheet, frame: Frame) {
+        /// Wider or higher apart a tree falls to pieces: in letters.
+        const MOST: DVec2 = DVec2::new(7.0, 6.0);
+        let below = DVec2::new(0.0, 1.5 * sheet.letters);
+        let frame = Frame {
+            min: frame.min,
+            max: frame.max - below,
+        };
+        let spacing = self.tree.spacing(frame, MOST * sheet.letters);
+        let radius = (0.95 * sheet.letters).min(0.45 * spacing.x);
+        let at = |node: u32| self.tree.at(node as usize, frame, spacing);
+        // all of it is there from the beginning, and what becomes of a node is drawn in place of that
+        for (number, node) in (0..).zip(&self.tree.nodes) {
+            let visit = self.visits.nodes[number as usize];
+            let step = visit.step.filter(|_| visit.fate != Fate::Unreached);
+            let looks = [
+                Some((None, Look::CULLED)),
+                step.map(|step| (Some(step), Look::PAPER_LINE)),
+                step.map(|step| (Some(step), visit.fate.look())),
+            ];
+            for (step, look) in looks.into_iter().flatten() {
+                sheet.at_step(step);
+                if let Some(parent) = node.parent {
+                    let along = (at(number) - at(parent)).normalize_or_zero() * radius;
+                    let (from, to) = (at(parent) + along, at(number) - along);
+                    sheet.line(look.outline(), from, to);
+                }
+                sheet.circle(look, at(number), radius);
+            }
+            mark(sheet, visit.fate, node.parent.map(at), at(number), radius);
+            sheet.at_step(None);
+            if 0.75 * sheet.letters <= radius {
+                sheet.text(Anchor::Middle, at(number), number.to_string());
+            }
+            self.objects(
+                figure,
+                sheet,
+                number,
+                at(number) + DVec2::new(0.0, radius),
+                spacing.x,
+            );
+        }
+    }
+
+    /// The objects of a leaf below it, those that were tested in a frame.
+    fn objects(&self, figure: &Figure, sheet: &mut Sheet, node: u32, below: DVec2, room: f64) {
+        let objects = &self.tree.nodes[node as usize].objects;
+        let names = objects.iter().map(|id| scenery::name_of(figure.scene, *id));
+        let text = names.collect::<Vec<_>>().join(", ");
+        let width = sheet.width_of(&text);
+        if !figure.shows(Layer::Names) || text.is_empty() || room < width {
+            return;
+        }
+        let middle = below + DVec2::new(0.0, 1.05 * sheet.letters);
+        sheet.at_step(None);
+        sheet.text(Anchor::Middle, middle, text);
+        for (object, step, is_hit) in &self.visits.tested {
+            if !objects.contains(object) {
+                continue;
+            }
+            let half = DVec2::new(0.5 * width + 0.4 * sheet.letters, 0.75 * sheet.letters);
+            let (min, max) = (middle - half, middle + half);
+            let look = if *is_hit { Look::HIT } else { Look::REJECTED };
+            sheet.at_step(*step);
+            sheet.rectangle(look.outline(), Frame { min, max });
+        }
+    }
+
+    fn in_words(&self, figure: &Figure) -> String {
+        let mut sentences = Vec::new();
+        for &number in &self.visits.order {
+            let node = &self.tree.nodes[number as usize];
+            let what = match self.visits.nodes[number as usize].fate {
+                Fate::Entered => "is entered",
+                Fate::Rejected => "is rejected",
+                Fate::Pruned => "is pruned, since it begins behind a hit",
+                Fate::Waiting | Fate::Unreached => continue,
+            };
+            let of: Vec<String> = node
+                .objects
+                .iter()
+                .map(|id| scenery::name_of(figure.scene, *id))
+                .collect();
+            let of = if of.is_empty() {
+                String::new()
+            } else {
+                format!(" with {}", of.join(", "))
+            };
+            sentences.push(format!("Node {number}{of} {what}."));
+        }
+        let unreached = self.visits.count(Fate::Unreached);
+        if 0 < unreached {
+            sentences.push(format!(
+                "{unreached} of {} nodes are never reached.",
+                self.visits.nodes.len()
+            ));
+        }
+        sentences.push(match met(&self.ray) {
+            Some((object, _)) => {
+                format!("The ray meets {}.", scenery::name_of(figure.scene, object))
+            }
+            None => "The ray meets nothing.".into(),
+        });
+        sentences.join(" ")
+    }
+}
+
+/// What a refused node has on the line to its parent: a cross, or two strokes where it was cut off.
+fn mark(sheet: &mut Sheet, fate: Fate, parent: Option<DVec2>, at: DVec2, radius: f64) {
+    let along = parent.map_or(DVec2::NEG_Y, |parent| (parent - at).normalize_or_zero());
+    let look = fate.look().outline();
+    let middle = at + 2.0 * radius * along;
+    match fate {
+        Fate::Rejected => sheet.cross(look, middle),
+        Fate::Pruned => {
+            let look = Look {
+                dash: crate::figure::look::Dash::Solid,
+                ..look
+            };
+            let across = 0.6 * radius * along.perp();
+            for place in [-0.2, 0.2] {
+                let middle = middle + place * radius * along;
+                sheet.line(look, middle - across, middle + across);
+            }
+        }
+        Fate::Entered | Fate::Waiting | Fate::Unreached => {}
+    }
+}

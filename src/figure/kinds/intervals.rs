@@ -1,0 +1,234 @@
+//! Near and far along a ray, slab by slab (slides, "Optimizing Intersection Calculations").
+//!
+//! Above, the bound with its slabs, turned so that the ray lies level; below, on the axis of t beneath the ray, the
+//! interval of each slab and what all slabs so far have in common. Where nothing is left the processing stops, and
+//! the slabs behind are not looked at.
+
+use glam::DVec2;
+
+use crate::figure::bound::{self, Slab};
+use crate::figure::canvas::quantity;
+use crate::figure::drawing::Figure;
+use crate::figure::error::FigureError;
+use crate::figure::frame::Frame;
+use crate::figure::kinds::Kind;
+use crate::figure::kinds::slabs::{SlabTests, bounded};
+use crate::figure::look::Look;
+use crate::figure::outline;
+use crate::figure::scenery;
+use crate::figure::sheet::Sheet;
+use crate::figure::slab_rows::{Axis, COMMON, OF_SLAB};
+use crate::figure::spec::Layer;
+use crate::figure::view::{Projection, Stage};
+use crate::geometry::{Ray, SlabInterval};
+use crate::structure::SlabOutcome;
+
+pub(super) const KIND: Kind = Kind {
+    draw,
+    height: 420.0,
+    layers: &[Layer::Objects, Layer::Slabs, Layer::Volumes, Layer::Legend],
+    usual: &[Layer::Objects, Layer::Slabs, Layer::Volumes, Layer::Legend],
+};
+
+fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, FigureError> {
+    let drawn = figure.ray()?;
+    let found = SlabTests::find(figure, &drawn.events)?;
+    let ray = drawn.node.start.map(|start| start.ray).unwrap_or_default();
+    let all = bound::bound_of(figure.first, found.of)?;
+    let projection = along_the_ray(figure, &ray)?;
+
+    let body = if figure.shows(Layer::Legend) {
+        let mut entries = vec![
+            (OF_SLAB, "near to far of one slab"),
+            (COMMON, "max near to min far so far"),
+        ];
+        if found.tests.len() < all.len() {
+            entries.push((Look::CULLED, "not looked at"));
+        }
+        sheet.legend(body, &entries)
+    } else {
+        body
+    };
+    let row = 1.35 * sheet.line_height();
+    // one for each slab, one for what they have in common, the axis
+    let below = (all.len() as f64 + 2.0) * row;
+    let [drawing, rows] = body.split_top(body.size().y - below);
+    let margin = DVec2::new(2.5 * sheet.letters, 0.0);
+    let inner = Frame {
+        min: drawing.min + margin,
+        max: drawing.max,
+    };
+    let stage = stage(&all, &ray, &found, projection, inner);
+    geometry(figure, sheet, &stage, &ray, &all, &found);
+
+    let axis = Axis {
+        stage: &stage,
+        ray: &ray,
+        frame: rows,
+        row,
+    };
+    for (place, slab) in all.iter().enumerate() {
+        let test = found
+            .tests
+            .iter()
+            .find(|(_, test)| test.step.slab == slab.number);
+        sheet.at_step(None);
+        axis.name(sheet, place, slab);
+        if let Some((step, test)) = test {
+            sheet.at_step(*step);
+            axis.slab(sheet, place, &test.step);
+        } else {
+            axis.untouched(sheet, place);
+        }
+    }
+    if let Some((step, last)) = found.tests.last() {
+        sheet.at_step(*step);
+        axis.result(sheet, all.len(), &last.step);
+    }
+    sheet.at_step(None);
+    axis.draw(sheet, all.len() + 1);
+    Ok(in_words(figure, &found, all.len()))
+}
+
+/// The view, turned about its line of sight so that the ray goes to the right.
+fn along_the_ray(figure: &Figure, ray: &Ray) -> Result<Projection, FigureError> {
+    let towards = figure.projection().towards();
+    let across = ray.direction.reject_from_normalized(towards);
+    /// Of a unit vector: a ray that is shorter than this is seen from its end.
+    const SHORT: f64 = 1e-3;
+    if across.length() < SHORT {
+        return Err(FigureError::new(
+            "view",
+            "the ray is seen from its end, and t has no direction",
+            "take another view",
+        ));
+    }
+    Ok(Projection::new(across, towards.cross(across)))
+}
+
+/// From the ray's origin to behind the slabs, and the bound's own height.
+fn stage(
+    all: &[Slab],
+    ray: &Ray,
+    found: &SlabTests,
+    projection: Projection,
+    frame: Frame,
+) -> Stage {
+    /// A slab along the ray ends far away: so much further than the bound is shown.
+    const FURTHEST: f64 = 1.5;
+    /// The axis goes on behind the last plane.
+    const BEYOND: f64 = 1.06;
+    /// Beside the ray, of the bound's height.
+    const ASIDE: f64 = 0.2;
+    let corners = bound::corners(all);
+    let along = corners.iter().map(|p| ray.direction.dot(*p - ray.origin));
+    let bound_ends = along.fold(0.0, f64::max);
+    let fars = found
+        .tests
+        .iter()
+        .map(|(_, test)| match test.step.interval {
+            SlabInterval::Between { far, .. } => far,
+            SlabInterval::ParallelInside | SlabInterval::ParallelOutside => 0.0,
+        });
+    let end = fars.fold(bound_ends, f64::max).min(FURTHEST * bound_ends);
+    let mut shown: Vec<DVec2> = corners.iter().map(|p| projection.of(*p)).collect();
+    // a ray past the bound is not at the edge of the drawing
+    let height = Frame::around(shown.iter().copied()).map_or(0.0, |around| around.size().y);
+    let aside = DVec2::new(0.0, ASIDE * height);
+    let ends = [ray.origin, ray.at(BEYOND * end)].map(|p| projection.of(p));
+    shown.extend(ends.iter().flat_map(|&p| [p - aside, p + aside]));
+    Stage::fitted_flat(projection, frame, shown)
+}
+
+/// The ray through the bound and its slabs.
+fn geometry(
+    figure: &Figure,
+    sheet: &mut Sheet,
+    stage: &Stage,
+    ray: &Ray,
+    all: &[Slab],
+    found: &SlabTests,
+) {
+    if figure.shows(Layer::Objects) {
+        scenery::some_objects(figure, sheet, stage, &found.objects(figure), Look::OBJECT);
+    }
+    if figure.shows(Layer::Volumes) {
+        let around = bound::outline(all, &stage.projection);
+        outline::rim(sheet, stage, &around.rim, Look::VISITED.wide(2.5));
+    }
+    let middle = bound::middle(all);
+    let room = Frame {
+        min: stage.frame.min + DVec2::new(0.0, 1.5 * sheet.letters),
+        max: stage.frame.max - DVec2::new(0.0, sheet.letters),
+    };
+    for slab in all {
+        let test = found
+            .tests
+            .iter()
+            .find(|(_, test)| test.step.slab == slab.number);
+        sheet.at_step(test.map(|(step, _)| *step));
+        if figure.shows(Layer::Slabs) && slab.is_on_edge(&stage.projection) {
+            let look = if test.is_some() {
+                Look::VISITED.outline().wide(1.0)
+            } else {
+                Look::CULLED
+            };
+            bound::pair(sheet, stage, room, slab, middle, look);
+        }
+        if let Some((_, test)) = test
+            && let SlabInterval::Between { near, far } = test.step.interval
+        {
+            for (t, is_near) in [(near, true), (far, false)] {
+                let at = stage.place(ray.at(t));
+                if !stage.frame.contains(at) {
+                    continue;
+                }
+                if is_near {
+                    sheet.dot(OF_SLAB, at);
+                } else {
+                    sheet.ring(OF_SLAB.wide(1.75), at);
+                }
+            }
+        }
+    }
+    sheet.at_step(None);
+    let from = stage.place(ray.origin);
+    let to = DVec2::new(stage.frame.max.x, from.y);
+    sheet.arrow(Look::RAY, from, to);
+    sheet.dot(Look::RAY, from);
+    sheet.label(stage.frame, from, DVec2::NEG_Y, "COP");
+}
+
+fn in_words(figure: &Figure, found: &SlabTests, slabs: usize) -> String {
+    let mut sentences = vec![format!(
+        "The ray and the slabs around {}, one after the other.",
+        bounded(figure, found.of)
+    )];
+    for (_, test) in &found.tests {
+        let step = &test.step;
+        let number = step.slab;
+        let (near, far) = (quantity(step.max_near), quantity(step.min_far));
+        sentences.push(match (step.interval, step.outcome) {
+            (SlabInterval::Between { near: a, far: b }, SlabOutcome::Null) => format!(
+                "Slab {number}: near {}, far {}; the largest near, {near}, is above the smallest far, {far}: null.",
+                quantity(a),
+                quantity(b)
+            ),
+            (SlabInterval::Between { near: a, far: b }, _) => format!(
+                "Slab {number}: near {}, far {}; largest near {near}, smallest far {far}.",
+                quantity(a),
+                quantity(b)
+            ),
+            (_, SlabOutcome::ParallelOutside | SlabOutcome::Null) => {
+                format!("Slab {number}: parallel and outside: null.")
+            }
+            _ => format!("Slab {number}: parallel and inside."),
+        });
+    }
+    match slabs.saturating_sub(found.tests.len()) {
+        0 => {}
+        1 => sentences.push("One more slab is not looked at.".into()),
+        left => sentences.push(format!("{left} more slabs are not looked at.")),
+    }
+    sentences.join(" ")
+}

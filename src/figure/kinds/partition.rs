@@ -1,0 +1,166 @@
+//! The scene's box cut into a regular grid of equal-sized volumes (Fig. 15.61); in 2D also the list of each cell.
+
+use std::collections::BTreeMap;
+
+use glam::DVec2;
+
+use crate::figure::drawing::Figure;
+use crate::figure::error::FigureError;
+use crate::figure::frame::Frame;
+use crate::figure::kinds::Kind;
+use crate::figure::kinds::plan::{self, Lattice, depth_axis};
+use crate::figure::kinds::walk::Walk;
+use crate::figure::look::Look;
+use crate::figure::outline;
+use crate::figure::scenery;
+use crate::figure::sheet::Sheet;
+use crate::figure::spec::Layer;
+use crate::figure::view::Stage;
+use crate::scene::PrimitiveId;
+use crate::structure::AssignStep;
+use crate::trace::Event;
+
+pub(super) const KIND: Kind = Kind {
+    draw,
+    height: 440.0,
+    layers: &[
+        Layer::Objects,
+        Layer::Names,
+        Layer::Cells,
+        Layer::Lists,
+        Layer::Numbers,
+    ],
+    usual: &[Layer::Objects, Layer::Cells, Layer::Numbers],
+};
+
+fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, FigureError> {
+    let walk = Walk::of(&figure.ray()?)?;
+    let lattice = Lattice::of(&walk.grid);
+    // room for what stands beside the box
+    let room = body.wider(-0.5 * sheet.letters);
+    let stage = figure.stage(room, lattice.box_corners());
+
+    if figure.shows(Layer::Objects) {
+        scenery::objects(figure, sheet, &stage, |_| Look::OBJECT);
+    }
+    let [x, y, z] = lattice.resolution;
+    let mut words = format!(
+        "The scene's box is cut into {x} × {y} × {z} cells of equal size, {} in all.",
+        u64::from(x) * u64::from(y) * u64::from(z)
+    );
+    if figure.shows(Layer::Lists) {
+        depth_axis(figure)?;
+        words += &lists(figure, sheet, &stage, &lattice);
+    }
+    sheet.at_step(None);
+    if figure.shows(Layer::Cells) {
+        planes(sheet, &stage, &lattice);
+    }
+    let whole = lattice.whole(&stage.projection);
+    outline::draw(sheet, &stage, &whole, Look::THIN.wide(1.75));
+    if figure.shows(Layer::Numbers) {
+        numbers(sheet, &stage, &lattice);
+    }
+    if figure.shows(Layer::Names) {
+        scenery::names(figure, sheet, &stage);
+    }
+    Ok(words)
+}
+
+/// The list of each cell in braces, as the events of the building fill it; and in words.
+fn lists(figure: &Figure, sheet: &mut Sheet, stage: &Stage, lattice: &Lattice) -> String {
+    let mut lists: BTreeMap<[u32; 3], (u32, Vec<String>)> = BTreeMap::new();
+    let mut cells_of: Vec<(PrimitiveId, usize)> = Vec::new();
+    for record in figure.first.building() {
+        let Event::Assign(AssignStep { object, cell, .. }) = record.event else {
+            continue;
+        };
+        let (step, names) = lists.entry(cell).or_default();
+        *step = record.step;
+        names.push(scenery::name_of(figure.scene, object));
+        match cells_of.last_mut() {
+            Some((last, count)) if *last == object => *count += 1,
+            _ => cells_of.push((object, 1)),
+        }
+    }
+    for (cell, (step, names)) in lists {
+        let Some(area) = lattice.area(cell, stage) else {
+            continue;
+        };
+        sheet.at_step(step);
+        sheet.rectangle(plan::LISTED.outline(), area);
+        sheet.label_in(area, format!("{{{}}}", names.join(", ")));
+    }
+    let sentences = cells_of.iter().map(|(object, count)| {
+        let name = scenery::name_of(figure.scene, *object);
+        let lists = if *count == 1 { "list" } else { "lists" };
+        format!(" {name} is on {count} {lists}.")
+    });
+    sentences.collect()
+}
+
+/// A face is seen from its edge if no more than this of a unit vector is across it: rounding.
+const FLAT: f64 = 1e-9;
+
+/// The planes between the cells, on the faces of the box that are seen.
+fn planes(sheet: &mut Sheet, stage: &Stage, lattice: &Lattice) {
+    let towards = stage.projection.towards();
+    for axis in 0..3 {
+        if towards[axis].abs() <= FLAT {
+            continue;
+        }
+        let n = lattice.resolution;
+        let face = if 0.0 < towards[axis] { n[axis] } else { 0 };
+        let [a, b] = [(axis + 1) % 3, (axis + 2) % 3];
+        for (across, along) in [(a, b), (b, a)] {
+            for place in 1..n[across] {
+                let end = |to: u32| {
+                    let mut at = [face; 3];
+                    (at[across], at[along]) = (place, to);
+                    stage.projection.of(lattice.corner(at))
+                };
+                let line = [end(0), end(n[along])];
+                outline::line_on(sheet, stage, Look::THIN.wide(0.75), &line);
+            }
+        }
+    }
+}
+
+/// How many cells there are along each axis, beside an edge.
+fn numbers(sheet: &mut Sheet, stage: &Stage, lattice: &Lattice) {
+    let towards = stage.projection.towards();
+    for (axis, name) in ["x", "y", "z"].into_iter().enumerate() {
+        if 1.0 - FLAT <= towards[axis].abs() {
+            // seen from its end
+            continue;
+        }
+        // the lowest edge along x or z, the rightmost along y
+        let outwards = if axis == 1 { DVec2::X } else { DVec2::Y };
+        let middles = [[0, 0], [0, 1], [1, 0], [1, 1]].map(|ends: [u32; 2]| {
+            let [a, b] = [(axis + 1) % 3, (axis + 2) % 3];
+            let n = lattice.resolution;
+            let end = |of: u32| {
+                let mut at = [of * n[axis]; 3];
+                (at[a], at[b]) = (ends[0] * n[a], ends[1] * n[b]);
+                stage.place(lattice.corner(at))
+            };
+            end(0).lerp(end(1), 0.5)
+        });
+        let far = |middle: &DVec2| outwards.dot(*middle);
+        let Some(at) = middles.into_iter().max_by(|a, b| far(a).total_cmp(&far(b))) else {
+            continue;
+        };
+        let cells = match lattice.resolution[axis] {
+            1 => "1 cell".into(),
+            many => format!("{many} cells"),
+        };
+        let middle = stage.frame.middle();
+        let sideways = DVec2::new((at.x - middle.x).signum(), 0.0);
+        sheet.label(
+            sheet.body(),
+            at,
+            outwards + sideways,
+            format!("{cells} along {name}"),
+        );
+    }
+}

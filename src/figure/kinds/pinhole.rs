@@ -1,0 +1,409 @@
+//! The pinhole camera (Fig. 12-1): a closed box with a tiny hole in its front panel, and on its back panel the negative
+//! with the inverted image. The pinhole is the COP; as far before it as the negative is behind it stands the window,
+//! with the same image upright.
+
+use glam::{DVec2, DVec3};
+
+use crate::figure::canvas::quantity;
+use crate::figure::drawing::Figure;
+use crate::figure::error::FigureError;
+use crate::figure::frame::Frame;
+use crate::figure::kinds::Kind;
+use crate::figure::look::Look;
+use crate::figure::outline::line_on;
+use crate::figure::scenery;
+use crate::figure::sheet::{Anchor, Sheet};
+use crate::figure::spec::Layer;
+use crate::figure::view::{Stage, View};
+use crate::scene::{Camera, PrimitiveId};
+use crate::trace::{Event, RayTree};
+
+pub(super) const KIND: Kind = Kind {
+    draw,
+    height: 360.0,
+    layers: &[
+        Layer::Objects,
+        Layer::Names,
+        Layer::Window,
+        Layer::Pixels,
+        Layer::Ray,
+        Layer::Numbers,
+    ],
+    usual: &[
+        Layer::Objects,
+        Layer::Names,
+        Layer::Window,
+        Layer::Pixels,
+        Layer::Ray,
+        Layer::Numbers,
+    ],
+};
+
+/// A point of an object, and its images.
+struct Seen {
+    pixel: [u32; 2],
+    object: PrimitiveId,
+    point: DVec3,
+    on_window: DVec3,
+    on_negative: DVec3,
+    step: u32,
+}
+
+/// What the points are called, in the order of the pixels.
+const NAMES: [&str; 6] = ["P", "Q", "S", "U", "G", "H"];
+
+fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, FigureError> {
+    let camera = &figure.scene.camera;
+    let seen = find(figure)?;
+    let case = Case::around(camera);
+    let mut points = scenery::points_of(figure);
+    points.extend(case.corners);
+    points.push(camera.cop);
+    let has_distances = figure.shows(Layer::Numbers) && figure.spec.view == View::Along;
+    let room = if has_distances {
+        1.7 * sheet.line_height()
+    } else {
+        0.0
+    };
+    let [body, _] = body.split_top(body.size().y - room);
+    let stage = figure.stage(body, points);
+    let is_edge_on = is_edge_on(&stage, camera);
+
+    case.draw(sheet, &stage, camera.cop, is_edge_on);
+    if figure.shows(Layer::Objects) {
+        scenery::objects(figure, sheet, &stage, |id| {
+            if seen.iter().any(|of| of.object == id) {
+                Look::HIT
+            } else {
+                Look::OBJECT
+            }
+        });
+    }
+    if figure.shows(Layer::Pixels) && !is_edge_on {
+        picture(figure, sheet, &stage);
+    }
+    panels(figure, sheet, &stage);
+    if figure.shows(Layer::Ray) {
+        for (of, name) in seen.iter().zip(NAMES) {
+            sheet.at_step(of.step);
+            ray(sheet, &stage, camera, of, name);
+        }
+    }
+    images(sheet, &stage, &seen, is_edge_on);
+    sheet.at_step(None);
+    if has_distances {
+        distances(sheet, &stage, camera, &case);
+    }
+    words(figure, sheet, &stage, camera, &case);
+    if figure.shows(Layer::Names) {
+        scenery::names(figure, sheet, &stage);
+    }
+    let sentences: Vec<String> = seen.iter().map(|of| in_words(figure, of)).collect();
+    Ok(sentences.join(" "))
+}
+
+fn find(figure: &Figure) -> Result<Vec<Seen>, FigureError> {
+    figure.pixel()?;
+    let mut seen = Vec::new();
+    for pixel in figure.pixels() {
+        let [x, y] = pixel;
+        if seen.len() == NAMES.len() {
+            return Err(FigureError::new(
+                "pixels",
+                format!(
+                    "more than {} lines through one pinhole are no figure",
+                    NAMES.len()
+                ),
+                "name fewer pixels",
+            ));
+        }
+        let records = figure.records_of(pixel)?;
+        let tree = RayTree::new(records);
+        let sample = records.iter().find_map(|record| match &record.event {
+            Event::Pixel(sample) => Some(sample.point),
+            _ => None,
+        });
+        let node = tree.rays.first();
+        let met = node.and_then(|node| {
+            let (start, end) = (node.start?, node.end?);
+            let point = start.ray.at(end.t?);
+            Some((end.object?, point, records[node.ends_at[1]?].step))
+        });
+        let (Some(on_window), Some((object, point, step))) = (sample, met) else {
+            return Err(FigureError::new(
+                "pixels",
+                format!(
+                    "the eye ray through pixel {x},{y} meets nothing: there is no point to show the image of"
+                ),
+                "name a pixel in which an object is seen",
+            ));
+        };
+        seen.push(Seen {
+            pixel,
+            object,
+            point,
+            on_window,
+            on_negative: behind(&figure.scene.camera, on_window),
+            step,
+        });
+    }
+    Ok(seen)
+}
+
+/// Where the line from a point of the window through the pinhole meets the negative, which is as far behind the
+/// pinhole as the window is before it: at the point's mirror image in the pinhole.
+fn behind(camera: &Camera, on_window: DVec3) -> DVec3 {
+    2.0 * camera.cop - on_window
+}
+
+/// Is the window seen from its edge?
+fn is_edge_on(stage: &Stage, camera: &Camera) -> bool {
+    let normal = camera.right.cross(camera.up).normalize_or_zero();
+    // less than a degree from it
+    normal.dot(stage.projection.towards()).abs() < 0.017
+}
+
+/// The closed box: its back panel around the negative, the pinhole in the middle of its front panel.
+struct Case {
+    /// The back panel's, then the front panel's, in the same order around.
+    corners: [DVec3; 8],
+}
+
+impl Case {
+    fn around(camera: &Camera) -> Self {
+        /// Around the negative, of its sides.
+        const ROOM: f64 = 0.15;
+        let mirrored = |x: f64, y: f64| {
+            let at = camera.to_corner + x * camera.right + y * camera.up;
+            camera.cop - at
+        };
+        let (low, high) = (-ROOM, 1.0 + ROOM);
+        let back = [(low, low), (high, low), (high, high), (low, high)];
+        let back = back.map(|(x, y)| mirrored(x, y));
+        let depth = camera.cop - mirrored(0.5, 0.5);
+        let corners = std::array::from_fn(|i| match back.get(i) {
+            Some(corner) => *corner,
+            None => back[i - 4] + depth,
+        });
+        Self { corners }
+    }
+
+    /// The three edges that lie behind the box are dotted; the front panel has a hole.
+    fn draw(&self, sheet: &mut Sheet, stage: &Stage, pinhole: DVec3, is_edge_on: bool) {
+        let towards = stage.projection.towards();
+        let far = (0..8).min_by(|&a, &b| {
+            let depth = |i: usize| towards.dot(self.corners[i]);
+            depth(a).total_cmp(&depth(b))
+        });
+        let at = self.corners.map(|corner| stage.projection.of(corner));
+        let look = Look::OBJECT.outline().wide(1.75);
+        let mut edges: Vec<[usize; 2]> = Vec::with_capacity(12);
+        for i in 0..4 {
+            edges.extend([[i, (i + 1) % 4], [i, i + 4]]);
+            // seen from its edge the front panel has a gap at the pinhole
+            if !is_edge_on {
+                edges.push([i + 4, (i + 1) % 4 + 4]);
+            }
+        }
+        for [from, to] in edges {
+            let is_hidden = !is_edge_on && (Some(from) == far || Some(to) == far);
+            let look = if is_hidden { Look::HIDDEN } else { look };
+            line_on(sheet, stage, look, &[at[from], at[to]]);
+        }
+        let hole = stage.place(pinhole);
+        if !is_edge_on {
+            let front = self.corners[4..].iter().map(|of| stage.place(*of));
+            sheet.polygon(Look::OBJECT.inside(), front.collect());
+            sheet.circle(Look::THIN.wide(1.5), hole, 3.5 * sheet.unit());
+            return;
+        }
+        let gap = 3.5 * sheet.unit();
+        for corner in &self.corners[4..] {
+            let end = stage.place(*corner);
+            let along = (end - hole).normalize_or_zero();
+            sheet.line(look, end, hole + gap * along);
+        }
+    }
+}
+
+/// The colours of the pixels, on the window and on the negative; what sees the background is left clear.
+fn picture(figure: &Figure, sheet: &mut Sheet, stage: &Stage) {
+    let camera = &figure.scene.camera;
+    let [width, height] = camera.pixels;
+    let background = figure.scene.background.clamp(DVec3::ZERO, DVec3::ONE);
+    let colours = figure.first.picture();
+    for on_negative in [true, false] {
+        if !on_negative && !figure.shows(Layer::Window) {
+            continue;
+        }
+        for y in 0..height {
+            let row = &colours[(y * width) as usize..((y + 1) * width) as usize];
+            let mut x = 0;
+            for run in row.chunk_by(|a, b| a == b) {
+                let (from, to) = (f64::from(x), f64::from(x + run.len() as u32));
+                x += run.len() as u32;
+                let Some(Some(colour)) = run.first().filter(|of| **of != Some(background)) else {
+                    continue;
+                };
+                let (top, bottom) = (f64::from(y), f64::from(y + 1));
+                let corners = [(from, top), (to, top), (to, bottom), (from, bottom)];
+                let corners = corners.map(|(x, y)| camera.window_point(x, y));
+                let corners = if on_negative {
+                    corners.map(|point| behind(camera, point))
+                } else {
+                    corners
+                };
+                let corners = corners.map(|corner| stage.place(corner));
+                let rgb = (*colour * 255.0).round().to_array().map(|of| of as u8);
+                sheet.patch(corners.into(), rgb);
+            }
+        }
+    }
+}
+
+/// The rims of the negative and the window.
+fn panels(figure: &Figure, sheet: &mut Sheet, stage: &Stage) {
+    let camera = &figure.scene.camera;
+    let window = scenery::window_corners(figure.scene);
+    let negative = window.map(|corner| behind(camera, corner));
+    let place = |corners: [DVec3; 4]| corners.map(|corner| stage.place(corner)).to_vec();
+    sheet.polygon(Look::THIN.wide(1.25), place(negative));
+    if figure.shows(Layer::Window) {
+        sheet.polygon(Look::THIN.wide(1.75), place(window));
+    }
+}
+
+/// The line through the pinhole: the eye ray before it, the light behind it.
+fn ray(sheet: &mut Sheet, stage: &Stage, camera: &Camera, of: &Seen, name: &str) {
+    let [point, window, pinhole, negative] =
+        [of.point, of.on_window, camera.cop, of.on_negative].map(|at| stage.place(at));
+    let along = (point - pinhole).normalize_or_zero();
+    sheet.arrow(Look::RAY, pinhole, point - 4.0 * sheet.unit() * along);
+    sheet.arrow(Look::SHADOW_RAY, pinhole, negative);
+    sheet.dot(Look::HIT, point);
+    sheet.dot(Look::RAY, window);
+    sheet.label(stage.frame, point, along, name);
+    sheet.label(
+        stage.frame,
+        window,
+        DVec2::new(1.0, along.y.signum()),
+        format!("{name}′"),
+    );
+    sheet.label(stage.frame, negative, -along, format!("{name}″"));
+}
+
+/// From the image of the first point to that of the last, where the image itself is seen from its edge.
+fn images(sheet: &mut Sheet, stage: &Stage, seen: &[Seen], is_edge_on: bool) {
+    let ([first, .., last], true) = (seen, is_edge_on) else {
+        return;
+    };
+    sheet.at_step(last.step.max(first.step));
+    let look = Look::HIT.outline().wide(4.0);
+    for image in [|of: &Seen| of.on_window, |of: &Seen| of.on_negative] {
+        sheet.arrow(look, stage.place(image(last)), stage.place(image(first)));
+    }
+}
+
+/// Below the box and the window: both are at the same distance from the pinhole.
+fn distances(sheet: &mut Sheet, stage: &Stage, camera: &Camera, case: &Case) {
+    let normal = camera.right.cross(camera.up).normalize_or_zero();
+    let distance = camera.to_corner.dot(normal).abs();
+    let lowest = case.corners.map(|corner| stage.place(corner).y);
+    let y = lowest.into_iter().fold(f64::NEG_INFINITY, f64::max) + 1.2 * sheet.letters;
+    let offset = camera.to_corner.dot(normal) * normal;
+    let x = [-1.0, 0.0, 1.0].map(|side| stage.place(camera.cop + side * offset).x);
+    let tick = 4.0 * sheet.unit();
+    let text = quantity(distance);
+    let has_room = sheet.width_of(&text) + 0.5 * sheet.letters <= (x[2] - x[0]).abs() / 2.0;
+    for pair in x.windows(2) {
+        let [from, to] = [pair[0], pair[1]].map(|x| DVec2::new(x, y));
+        sheet.line(Look::THIN, from, to);
+        if has_room {
+            let below = from.lerp(to, 0.5) + DVec2::new(0.0, 0.9 * sheet.letters);
+            sheet.text(Anchor::Middle, below, text.as_str());
+        }
+    }
+    if !has_room {
+        // once, and beside both
+        let end = DVec2::new(x[0].max(x[2]), y);
+        sheet.label(sheet.body(), end, DVec2::X, format!("{text} each"));
+    }
+    for x in x {
+        let [from, to] = [-tick, tick].map(|by| DVec2::new(x, y + by));
+        sheet.line(Look::THIN, from, to);
+    }
+}
+
+fn words(figure: &Figure, sheet: &mut Sheet, stage: &Stage, camera: &Camera, case: &Case) {
+    let top = |corners: &[DVec3]| {
+        let places = corners.iter().map(|corner| stage.place(*corner));
+        places
+            .min_by(|a, b| a.y.total_cmp(&b.y))
+            .unwrap_or_default()
+    };
+    let pinhole = stage.place(camera.cop);
+    // below the eye rays, beside the box
+    sheet.label(stage.frame, pinhole, DVec2::new(0.5, 1.0), "pinhole = COP");
+    sheet.label(
+        stage.frame,
+        top(&case.corners[..4]),
+        DVec2::NEG_Y,
+        "negative",
+    );
+    if figure.shows(Layer::Window) {
+        let window = scenery::window_corners(figure.scene);
+        sheet.label(stage.frame, top(&window), DVec2::NEG_Y, "window");
+    }
+}
+
+fn in_words(figure: &Figure, of: &Seen) -> String {
+    let [x, y] = of.pixel;
+    let object = scenery::name_of(figure.scene, of.object);
+    let [_, height] = figure.scene.camera.pixels;
+    // rows are counted from the top; on the negative the first is the lowest
+    let [here, there] = if 2 * y < height {
+        ["upper", "lower"]
+    } else {
+        ["lower", "upper"]
+    };
+    format!(
+        "A point of {object} is seen in the {here} half of the window, in pixel ({x}, {y}); the same line meets the \
+         negative in its {there} half."
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn camera() -> Camera {
+        // the window z = 3 before a COP at (0, 1, 5), 2 × 1
+        Camera {
+            cop: DVec3::new(0.0, 1.0, 5.0),
+            to_corner: DVec3::new(-1.0, -0.5, -2.0),
+            right: DVec3::new(2.0, 0.0, 0.0),
+            up: DVec3::new(0.0, 1.0, 0.0),
+            pixels: [4, 2],
+        }
+    }
+
+    #[test]
+    fn the_image_behind_the_pinhole_is_turned_round() {
+        // upper left on the window, lower right on the negative, as seen from behind it
+        let upper_left = camera().window_point(0.0, 0.0);
+        assert_eq!(upper_left, DVec3::new(-1.0, 1.5, 3.0));
+        assert_eq!(behind(&camera(), upper_left), DVec3::new(1.0, 0.5, 7.0));
+    }
+
+    #[test]
+    fn the_pinhole_is_in_the_middle_of_the_front_panel() {
+        let case = Case::around(&camera());
+        let middle = case.corners[4..].iter().sum::<DVec3>() / 4.0;
+        assert!((middle - camera().cop).length() < 1e-12, "{middle}");
+        assert!(
+            case.corners[..4]
+                .iter()
+                .all(|corner| (corner.z - 7.0).abs() < 1e-12)
+        );
+    }
+}

@@ -1,0 +1,141 @@
+//! The projected polygon in true shape: the half-line from p′ and the edges that it crosses, or two projections
+//! beside each other.
+
+use glam::{DVec2, DVec3};
+
+use crate::figure::axes;
+use crate::figure::canvas::quantity;
+use crate::figure::frame::Frame;
+use crate::figure::kinds::polygon::{Tested, mark, verdict};
+use crate::figure::look::Look;
+use crate::figure::sheet::Sheet;
+use crate::figure::view::Stage;
+use crate::geometry::{Axis, EdgeTest};
+
+/// The projected polygon in true shape, the half-line from p′, and the edges that count.
+pub(super) fn draw(sheet: &mut Sheet, frame: Frame, tested: &Tested) {
+    let Some((test, step)) = tested.point else {
+        return;
+    };
+    let axis = test.dropped;
+    let (letter, name) = (axes::letter(axis), axes::coefficient(axis));
+    let largest = quantity(test.coefficient.abs());
+    let height = sheet.line_height();
+    let [upper, rest] = frame.split_top(height);
+    let [lower, panel] = rest.split_top(1.4 * height);
+    sheet.at_step(tested.plane.1);
+    let drop = format!("|{name}| = {largest} is the largest: drop {letter}");
+    sheet.lines(upper, &[drop]);
+    sheet.at_step(step);
+    sheet.lines(lower, &[verdict(&test)]);
+
+    let reach = tested.reach();
+    let p = test.projected;
+    let outline = tested.polygon.outline();
+    let (low, high) = outline.iter().fold((p.x, p.x), |(low, high), at| {
+        (low.min(at.x), high.max(at.x))
+    });
+    let end = DVec2::new(high + 0.15 * (high - low), p.y);
+    let flat = outline.iter().chain([&p, &end]);
+    let points = flat
+        .map(|at| axes::on_plane(axis, *at))
+        .chain([DVec3::ZERO, axes::foot(axis, reach)]);
+    let stage = Stage::fitted(
+        axes::view_along(axis),
+        panel.wider(-0.8 * sheet.letters),
+        points,
+    );
+    let place = |at: DVec2| stage.place(axes::on_plane(axis, at));
+
+    sheet.at_step(None);
+    axes::draw_plane(sheet, &stage, axis, reach);
+    sheet.polygon(Look::OBJECT, outline.iter().map(|at| place(*at)).collect());
+    let first = tested.edges.first().map_or(step, |(_, step)| *step);
+    sheet.at_step(first);
+    sheet.arrow(Look::RAY.wide(1.25), place(p), place(end));
+    let along = place(end) - place(p);
+    sheet.label(panel, place(p), -along, "p′");
+    let counted = tested.edges.iter().filter(|(edge, _)| edge.counts);
+    let mut crossings: Vec<(DVec2, u32)> = Vec::new();
+    for (edge, step) in counted {
+        sheet.at_step(*step);
+        let line = Look::VISITED.outline().wide(3.0);
+        sheet.line(line, place(edge.from), place(edge.to));
+        crossings.extend(level_with(edge, p).map(|at| (at, *step)));
+    }
+    // counted from p′ on, not in the order of the edges
+    crossings.sort_by(|(a, _), (b, _)| a.x.total_cmp(&b.x));
+    for (number, (at, step)) in (1..).zip(crossings) {
+        sheet.at_step(step);
+        sheet.dot(Look::VISITED, place(at));
+        sheet.label(panel, place(at), along + along.perp(), format!("{number}"));
+    }
+    sheet.at_step(step);
+    mark(sheet, test.inside, place(p));
+    sheet.at_step(None);
+}
+
+/// The point of an edge that the half-line from p′ runs through; none on an edge that is parallel to it.
+fn level_with(edge: &EdgeTest, p: DVec2) -> Option<DVec2> {
+    let along = edge.to - edge.from;
+    let share = (p.y - edge.from.y) / along.y;
+    share.is_finite().then(|| edge.from + share * along)
+}
+
+/// The projection along the axis that the test chose, and along another one, equally large.
+pub(super) fn draw_two(sheet: &mut Sheet, frame: Frame, tested: &Tested, other: Axis) {
+    let Some((test, step)) = tested.point else {
+        return;
+    };
+    let normal = tested.plane.0.plane.normal;
+    let half = 0.5 * frame.size().y;
+    let parts = [test.dropped, other].into_iter().zip(frame.split_top(half));
+    sheet.at_step(step);
+    let panels: Vec<(Axis, Frame, Stage)> = parts
+        .map(|(axis, part)| {
+            let (letter, name) = (axes::letter(axis), axes::coefficient(axis));
+            let share = quantity(axis.of(normal).abs());
+            let text = format!("{letter} dropped: |{name}| = {share} of the area");
+            let panel = sheet.lines(part, &[text]);
+            let feet = tested.polygon.vertices().map(|v| axes::foot(axis, v));
+            (
+                axis,
+                panel,
+                Stage::fitted(axes::view_along(axis), panel, feet),
+            )
+        })
+        .collect();
+    let scales = panels.iter().map(|(_, _, stage)| stage.scale);
+    let scale = scales.fold(f64::INFINITY, f64::min);
+    for (axis, panel, mut stage) in panels {
+        stage.scale = scale;
+        let place = |point| stage.place(axes::foot(axis, point));
+        sheet.polygon(Look::OBJECT, tested.polygon.vertices().map(place).collect());
+        let p = place(test.point);
+        mark(sheet, test.inside, p);
+        sheet.label(panel, p, DVec2::X, "p′");
+    }
+    sheet.at_step(None);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_half_line_meets_an_edge_at_its_own_height() {
+        let edge = EdgeTest {
+            from: DVec2::new(1.0, 0.0),
+            to: DVec2::new(3.0, 4.0),
+            ..EdgeTest::default()
+        };
+        // a quarter of the way up
+        let at = level_with(&edge, DVec2::new(-5.0, 1.0));
+        assert_eq!(at, Some(DVec2::new(1.5, 1.0)));
+        let level = EdgeTest {
+            to: DVec2::new(3.0, 0.0),
+            ..edge
+        };
+        assert_eq!(level_with(&level, DVec2::ZERO), None);
+    }
+}

@@ -1,0 +1,273 @@
+//! The rays of a pixel in the scene: from the eye through the window, to the lights, reflected and refracted
+//! (slides, "Type of Ray Tracing Algorithm" and "Ray Tracing Algorithm Example").
+
+use glam::{DVec2, DVec3};
+
+use crate::figure::drawing::Figure;
+use crate::figure::error::FigureError;
+use crate::figure::frame::Frame;
+use crate::figure::kinds::{Kind, surface};
+use crate::figure::look::Look;
+use crate::figure::scenery;
+use crate::figure::sheet::Sheet;
+use crate::figure::spec::Layer;
+use crate::figure::view::Stage;
+use crate::geometry::Ray;
+use crate::scene::PrimitiveId;
+use crate::trace::{Outcome, Purpose, RayNode, RayTree, Record};
+
+pub(super) const KIND: Kind = Kind {
+    draw,
+    height: 400.0,
+    layers: &[
+        Layer::Objects,
+        Layer::Names,
+        Layer::Eye,
+        Layer::Window,
+        Layer::Lights,
+        Layer::Ray,
+        Layer::ShadowRays,
+        Layer::Secondary,
+        Layer::Hits,
+        Layer::Normals,
+        Layer::Angles,
+        Layer::Legend,
+    ],
+    usual: &[
+        Layer::Objects,
+        Layer::Names,
+        Layer::Eye,
+        Layer::Window,
+        Layer::Lights,
+        Layer::Ray,
+        Layer::ShadowRays,
+        Layer::Secondary,
+        Layer::Hits,
+    ],
+};
+
+fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, FigureError> {
+    let mut trees = Vec::new();
+    for pixel in figure.pixels() {
+        let records = figure.records_of(pixel)?;
+        trees.push((records, RayTree::new(records)));
+    }
+    if trees.is_empty() {
+        figure.pixel()?;
+    }
+    let shown = |node: &&RayNode| {
+        node.start
+            .is_some_and(|start| figure.shows(layer(start.purpose)))
+    };
+    let body = if figure.shows(Layer::Legend) {
+        legend(&trees, figure, sheet, body)
+    } else {
+        body
+    };
+
+    let mut points = scenery::points_of(figure);
+    for (_, tree) in &trees {
+        points.extend(tree.rays.iter().filter(shown).filter_map(end_of));
+    }
+    let stage = figure.stage(body, points);
+    let met: Vec<PrimitiveId> = trees
+        .iter()
+        .flat_map(|(_, tree)| tree.rays.iter().filter(shown))
+        .filter_map(|node| node.end?.object)
+        .collect();
+    if figure.shows(Layer::Objects) {
+        scenery::objects(figure, sheet, &stage, |id| {
+            if met.contains(&id) && figure.shows(Layer::Hits) {
+                Look::HIT
+            } else {
+                Look::OBJECT
+            }
+        });
+    }
+    // before the rays: their labels find other places more easily
+    if figure.shows(Layer::Names) {
+        scenery::names(figure, sheet, &stage);
+    }
+    if figure.shows(Layer::Window) {
+        scenery::window(figure, sheet, &stage);
+    }
+    if figure.shows(Layer::Eye) {
+        scenery::eye(figure, sheet, &stage);
+    }
+    if figure.shows(Layer::Lights) {
+        scenery::lights(figure, sheet, &stage);
+    }
+    let mut sentences = Vec::new();
+    let mut named = Vec::new();
+    for (records, tree) in &trees {
+        for node in tree.rays.iter().filter(shown) {
+            sheet.at_step(node.ends_at[0].map(|at| records[at].step));
+            ray(figure, sheet, &stage, node, &mut named);
+            sentences.extend(in_words(figure, node));
+            surface::draw(figure, sheet, &stage, records, node);
+            sentences.extend(surface::in_words(records, node));
+        }
+    }
+    sheet.at_step(None);
+    Ok(sentences.join(" "))
+}
+
+fn layer(purpose: Purpose) -> Layer {
+    match purpose {
+        Purpose::Eye => Layer::Ray,
+        Purpose::Shadow => Layer::ShadowRays,
+        Purpose::Reflected | Purpose::Refracted => Layer::Secondary,
+    }
+}
+
+fn look(purpose: Purpose) -> Look {
+    match purpose {
+        Purpose::Eye => Look::RAY,
+        Purpose::Shadow => Look::SHADOW_RAY,
+        Purpose::Reflected => Look::REFLECTED_RAY,
+        Purpose::Refracted => Look::REFRACTED_RAY,
+    }
+}
+
+/// What a ray is called beside its line.
+fn name(purpose: Purpose) -> &'static str {
+    match purpose {
+        Purpose::Eye => "eye ray",
+        Purpose::Shadow => "ray to the light",
+        Purpose::Reflected => "reflected",
+        Purpose::Refracted => "refracted",
+    }
+}
+
+/// Which looks there are in this figure.
+fn legend(
+    trees: &[(&[Record], RayTree)],
+    figure: &Figure,
+    sheet: &mut Sheet,
+    body: Frame,
+) -> Frame {
+    let is_there = |purpose: &Purpose| {
+        let nodes = trees.iter().flat_map(|(_, tree)| &tree.rays);
+        let mut starts = nodes.filter_map(|node| node.start);
+        figure.shows(layer(*purpose)) && starts.any(|start| start.purpose == *purpose)
+    };
+    let all = [
+        Purpose::Eye,
+        Purpose::Shadow,
+        Purpose::Reflected,
+        Purpose::Refracted,
+    ];
+    let entries: Vec<(Look, &str)> = all
+        .into_iter()
+        .filter(is_there)
+        .map(|purpose| (look(purpose), name(purpose)))
+        .collect();
+    sheet.legend(body, &entries)
+}
+
+/// Where a ray ends, if it ends anywhere.
+fn end_of(node: &RayNode) -> Option<DVec3> {
+    let (start, end) = (node.start?, node.end?);
+    let t = end.t.or_else(|| {
+        // a ray to a light ends there
+        (end.outcome == Outcome::ReachesLight).then_some(start.range.max)
+    })?;
+    t.is_finite().then(|| start.ray.at(t))
+}
+
+/// Draws a ray. Of the rays that are called the same the first has the name beside it.
+fn ray(
+    figure: &Figure,
+    sheet: &mut Sheet,
+    stage: &Stage,
+    node: &RayNode,
+    named: &mut Vec<&'static str>,
+) {
+    let (Some(start), Some(end)) = (node.start, node.end) else {
+        return;
+    };
+    if end.outcome == Outcome::DepthLimit {
+        return;
+    }
+    let from = stage.place(start.ray.origin);
+    let to = match end_of(node) {
+        Some(end) => stage.place(end),
+        None => match leaves(stage, &start.ray) {
+            Some(edge) => edge,
+            None => return,
+        },
+    };
+    let Some([from, to]) = stage.frame.cut_line([from, to]) else {
+        return;
+    };
+    let along = (to - from).normalize_or_zero();
+    let has_mark = figure.shows(Layer::Hits) && end.t.is_some();
+    // the head ends where the mark begins, or the light
+    let head = if has_mark {
+        4.0 * sheet.unit()
+    } else if end.outcome == Outcome::ReachesLight && figure.shows(Layer::Lights) {
+        11.0 * sheet.unit()
+    } else {
+        0.0
+    };
+    sheet.arrow(look(start.purpose), from, to - head * along);
+    if end.outcome == Outcome::Blocked {
+        // where it would have gone
+        let light = stage.place(start.ray.at(start.range.max));
+        if let Some([from, to]) = stage.frame.cut_line([to, light]) {
+            sheet.line(Look::LINE_OF_RAY, from, to);
+        }
+    }
+    if has_mark && end.outcome == Outcome::Blocked {
+        sheet.cross(Look::REJECTED, to);
+    } else if has_mark {
+        sheet.dot(Look::HIT, to);
+    }
+    let text = match (start.purpose, end.outcome) {
+        (Purpose::Shadow, Outcome::Blocked) => "blocked",
+        (Purpose::Eye, Outcome::Miss) => "eye ray, misses",
+        (purpose, _) => name(purpose),
+    };
+    if !figure.shows(Layer::Legend) && !named.contains(&text) {
+        named.push(text);
+        let middle = from.lerp(to, 0.45);
+        sheet.label(stage.frame, middle, upwards(along.perp()), text);
+    }
+}
+
+/// Of the two directions across a line the one that goes up.
+fn upwards(across: DVec2) -> DVec2 {
+    if 0.0 < across.y { -across } else { across }
+}
+
+/// Where a ray that meets nothing leaves the frame.
+fn leaves(stage: &Stage, ray: &Ray) -> Option<DVec2> {
+    let t = stage.leaves(ray)?;
+    Some(stage.place(ray.at(t)))
+}
+
+/// A ray in words.
+fn in_words(figure: &Figure, node: &RayNode) -> Option<String> {
+    let (start, end) = (node.start?, node.end?);
+    let object = end.object.map(|id| scenery::name_of(figure.scene, id));
+    let object = object.unwrap_or_default();
+    let lamp = start
+        .light
+        .and_then(|light| figure.scene.lights.get(light as usize));
+    let to_light = lamp.map_or(String::new(), |light| {
+        format!(" {}", scenery::short(&light.name))
+    });
+    let what = match start.purpose {
+        Purpose::Eye => "The eye ray".into(),
+        Purpose::Shadow => format!("The ray to the light{to_light}"),
+        Purpose::Reflected => "The reflected ray".into(),
+        Purpose::Refracted => "The refracted ray".into(),
+    };
+    Some(match end.outcome {
+        Outcome::Hit => format!("{what} meets {object}."),
+        Outcome::Miss => format!("{what} misses all objects."),
+        Outcome::Blocked => format!("{what} is blocked by {object}."),
+        Outcome::ReachesLight => format!("{what} arrives."),
+        Outcome::DepthLimit => format!("{what} is not traced: the depth limit is reached."),
+    })
+}

@@ -1,0 +1,379 @@
+//! The steps of a walk through a grid (slides, "Spatial Partitioning", last point; 3DDDA): for each cell the t at
+//! which the ray meets the next plane across x, y and z; the smallest is where it leaves the cell.
+
+use glam::DVec2;
+
+use crate::figure::canvas::quantity;
+use crate::figure::drawing::Figure;
+use crate::figure::error::FigureError;
+use crate::figure::frame::Frame;
+use crate::figure::kinds::Kind;
+use crate::figure::kinds::plan::Plan;
+use crate::figure::kinds::walk::{Visit, Walk, axes, cell_name};
+use crate::figure::look::Look;
+use crate::figure::scenery;
+use crate::figure::sheet::{Anchor, Sheet};
+use crate::figure::spec::Layer;
+use crate::trace::WalkEnd;
+
+pub(super) const KIND: Kind = Kind {
+    draw,
+    height: 400.0,
+    layers: &[Layer::Objects, Layer::Names, Layer::Ray, Layer::Numbers],
+    usual: &[Layer::Objects, Layer::Ray, Layer::Numbers],
+};
+
+/// The plane that is crossed.
+const CHOSEN: Look = Look::VISITED.wide(2.5);
+
+fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, FigureError> {
+    let ray = figure.ray()?;
+    let walk = Walk::of(&ray)?;
+    if walk.visits.is_empty() {
+        return Err(FigureError::new(
+            "pixel",
+            "the ray passes the grid by",
+            "choose a pixel whose ray pierces a cell",
+        ));
+    }
+    let rows: Vec<Row> = (0..walk.visits.len())
+        .map(|place| Row::of(&walk, place))
+        .collect();
+    let table = Table::new(sheet, body, &rows)?;
+    let left = Frame {
+        min: body.min,
+        max: DVec2::new(table.left - 1.5 * sheet.letters, body.max.y),
+    };
+    let plan = Plan::new(figure, (&ray, &walk), left)?;
+
+    plan.planes(sheet);
+    if figure.shows(Layer::Objects) {
+        scenery::objects(figure, sheet, &plan.stage, |_| Look::OBJECT);
+    }
+    if figure.shows(Layer::Names) {
+        scenery::names(figure, sheet, &plan.stage);
+    }
+    for (place, visit) in walk.visits.iter().enumerate() {
+        plan.cell(sheet, visit, (place + 1).to_string());
+    }
+    if figure.shows(Layer::Ray) {
+        plan.ray(sheet, &walk);
+    }
+    crossings(figure, sheet, &plan, &walk);
+    table.head(sheet);
+    for (place, row) in rows.iter().enumerate() {
+        sheet.at_step(walk.visits[place].step);
+        table.row(sheet, place, row);
+    }
+    sheet.at_step(None);
+    Ok(in_words(&walk, &rows))
+}
+
+/// Where the ray meets planes: a form for each axis, the t beside it.
+fn crossings(figure: &Figure, sheet: &mut Sheet, plan: &Plan, walk: &Walk) {
+    let label = |sheet: &mut Sheet, t: f64, towards: DVec2| {
+        if figure.shows(Layer::Numbers) {
+            /// So many letters there is room for beside `t = ` in a cell.
+            const ROOM: usize = 5;
+            let mut text = quantity(t);
+            if text.len() <= ROOM {
+                text = format!("t = {text}");
+            }
+            sheet.label(plan.stage.frame, plan.place(t), towards, text);
+        }
+    };
+    let above = plan.above();
+    if let Some(first) = walk.visits.first() {
+        // the plane through which it comes in has no event of its own
+        sheet.at_step(first.step);
+        label(sheet, first.cell.t_in, above);
+    }
+    for (place, visit) in walk.visits.iter().enumerate() {
+        if !crosses(walk, place) {
+            continue;
+        }
+        // it is crossed when the ray comes to the next cell, and stands above that cell's area
+        let next = walk.visits.get(place + 1);
+        sheet.at_step(next.map_or(plan.last_step(), |next| next.step));
+        let at = plan.place(visit.cell.t_out);
+        for &axis in axes(visit.cell.across) {
+            marker(sheet, axis, at);
+        }
+        // those across x on one side of the ray, the others on the other
+        let is_across_x = axes(visit.cell.across) == [0];
+        label(
+            sheet,
+            visit.cell.t_out,
+            if is_across_x { -above } else { above },
+        );
+    }
+}
+
+/// Does the walk go on across a plane after this cell, or leave the grid there?
+fn crosses(walk: &Walk, place: usize) -> bool {
+    place + 1 < walk.visits.len() || walk.end == WalkEnd::Left
+}
+
+/// A plane across an axis: a dot for x, a triangle for y, a square for z.
+fn marker(sheet: &mut Sheet, axis: usize, at: DVec2) {
+    let unit = sheet.unit();
+    match axis {
+        0 => sheet.circle(Look::RAY.full(), at, 3.5 * unit),
+        1 => {
+            let corners = [[0.0, -5.5], [5.0, 3.5], [-5.0, 3.5]];
+            let corners = corners.map(|corner| at + unit * DVec2::from(corner));
+            sheet.polygon(Look::PAPER_LINE.full(), corners.into());
+            sheet.polygon(Look::THIN.wide(1.5), corners.into());
+        }
+        _ => {
+            let half = DVec2::splat(4.0 * unit);
+            let square = Frame {
+                min: at - half,
+                max: at + half,
+            };
+            sheet.rectangle(Look::PAPER_LINE.full(), square);
+            sheet.rectangle(Look::THIN.wide(1.5), square);
+        }
+    }
+}
+
+/// A cell in the table.
+#[derive(Clone, Debug, PartialEq)]
+struct Row {
+    cell: String,
+    /// t of the next plane across each axis.
+    next: [String; 3],
+    /// Which of them are crossed.
+    chosen: Vec<usize>,
+    /// What follows: the next index, or the end.
+    then: String,
+}
+
+impl Row {
+    fn of(walk: &Walk, place: usize) -> Self {
+        let visit = &walk.visits[place];
+        let chosen = if crosses(walk, place) {
+            axes(visit.cell.across).to_vec()
+        } else {
+            Vec::new()
+        };
+        Self {
+            cell: cell_name(visit.cell.cell),
+            next: visit.cell.next.map(|t| {
+                if t.is_finite() {
+                    quantity(t)
+                } else {
+                    "∞".into()
+                }
+            }),
+            chosen,
+            then: match (walk.visits.get(place + 1), walk.end) {
+                (Some(next), _) => index_steps(visit, next),
+                (None, WalkEnd::HitInCell) => "hit".into(),
+                (None, _) => "leaves".into(),
+            },
+        }
+    }
+}
+
+/// How the indices change from one cell to the next: `i + 1`, `k − 1`.
+fn index_steps(from: &Visit, to: &Visit) -> String {
+    let changed = (0..3).filter_map(|axis| {
+        let name = ["i", "j", "k"][axis];
+        let (from, to) = (from.cell.cell[axis], to.cell.cell[axis]);
+        match from.cmp(&to) {
+            std::cmp::Ordering::Less => Some(format!("{name} + 1")),
+            std::cmp::Ordering::Greater => Some(format!("{name} − 1")),
+            std::cmp::Ordering::Equal => None,
+        }
+    });
+    let changed: Vec<String> = changed.collect();
+    changed.join(", ")
+}
+
+/// Where the columns and rows of the table are.
+struct Table {
+    left: f64,
+    top: f64,
+    em: f64,
+    /// Widths of the columns in sizes of letters: the cell, a t, and what follows.
+    cell: f64,
+    next: f64,
+    then: f64,
+}
+
+/// Width of the first column in sizes of letters.
+const NUMBER: f64 = 1.8;
+/// From row to row.
+const ROW: f64 = 1.9;
+/// Above the first row: two lines.
+const HEAD: f64 = 3.4;
+
+impl Table {
+    /// At the right of a frame, in the middle of its height.
+    fn new(sheet: &Sheet, frame: Frame, of: &[Row]) -> Result<Self, FigureError> {
+        let em = sheet.letters;
+        let rows = of.len();
+        let height = (HEAD + ROW * rows as f64) * em;
+        if frame.size().y < height {
+            let most = ((frame.size().y / em - HEAD) / ROW).floor();
+            return Err(FigureError::new(
+                "pixel",
+                format!("the ray pierces {rows} cells, and the table has room for {most}"),
+                "choose another pixel, or a coarser grid with \"structure\": {\"grid\": {\"resolution\": …}}",
+            ));
+        }
+        // as wide as the longest text; the least keeps the heads apart
+        let wide = |text: &String| sheet.width_of(text) / em;
+        let cells = of.iter().map(|row| wide(&row.cell) + 1.0);
+        let cell = cells.fold(5.2, f64::max);
+        let nexts = of.iter().flat_map(|row| &row.next);
+        let next = nexts.map(|t| wide(t) + 0.7).fold(3.9, f64::max);
+        let thens = of.iter().map(|row| wide(&row.then) + 0.8);
+        let then = thens.fold(4.0, f64::max);
+        Ok(Self {
+            left: frame.max.x - (NUMBER + cell + 3.0 * next + then) * em,
+            top: frame.middle().y - 0.5 * height,
+            em,
+            cell,
+            next,
+            then,
+        })
+    }
+
+    /// The middle of the column of an axis.
+    fn next(&self, axis: usize) -> f64 {
+        self.left + (NUMBER + self.cell + (axis as f64 + 0.5) * self.next) * self.em
+    }
+
+    fn then(&self) -> f64 {
+        self.left + (NUMBER + self.cell + 3.0 * self.next + 0.8) * self.em
+    }
+
+    fn head(&self, sheet: &mut Sheet) {
+        let em = self.em;
+        sheet.at_step(None);
+        let first = self.top + 0.7 * em;
+        let second = self.top + 2.3 * em;
+        let at = DVec2::new;
+        sheet.text(
+            Anchor::Middle,
+            at(self.next(1), first),
+            "t of the next plane across",
+        );
+        sheet.text(
+            Anchor::Start,
+            at(self.left + NUMBER * em, second),
+            "[i, j, k]",
+        );
+        for (axis, name) in ["x", "y", "z"].into_iter().enumerate() {
+            let x = self.next(axis);
+            marker(sheet, axis, at(x - 0.6 * em, second));
+            sheet.text(Anchor::Start, at(x + 0.1 * em, second), name);
+        }
+        sheet.text(Anchor::Start, at(self.then(), second), "then");
+        let y = self.top + HEAD * em - 0.1 * em;
+        let right = self.then() + (self.then - 0.8) * em;
+        sheet.line(Look::THIN, at(self.left, y), at(right, y));
+    }
+
+    fn row(&self, sheet: &mut Sheet, place: usize, row: &Row) {
+        let em = self.em;
+        let y = self.top + (HEAD + (place as f64 + 0.5) * ROW) * em;
+        let at = DVec2::new;
+        for &axis in &row.chosen {
+            let half = DVec2::new(0.46 * self.next, 0.42 * ROW) * em;
+            let middle = at(self.next(axis), y);
+            let frame = Frame {
+                min: middle - half,
+                max: middle + half,
+            };
+            sheet.rectangle(CHOSEN, frame);
+        }
+        sheet.text(
+            Anchor::End,
+            at(self.left + (NUMBER - 0.6) * em, y),
+            (place + 1).to_string(),
+        );
+        sheet.text(Anchor::Start, at(self.left + NUMBER * em, y), &row.cell);
+        for (axis, t) in row.next.iter().enumerate() {
+            sheet.text(Anchor::Middle, at(self.next(axis), y), t);
+        }
+        sheet.text(Anchor::Start, at(self.then(), y), &row.then);
+    }
+}
+
+/// The steps in words.
+fn in_words(walk: &Walk, rows: &[Row]) -> String {
+    let sentences = rows.iter().enumerate().map(|(place, row)| {
+        let [x, y, z] = &row.next;
+        let across: Vec<&str> = row.chosen.iter().map(|&axis| ["x", "y", "z"][axis]).collect();
+        let t_out = quantity(walk.visits[place].cell.t_out);
+        let then = match across.as_slice() {
+            [] => "the walk ends with a hit".into(),
+            _ if row.then == "leaves" => format!("it leaves the grid at t = {t_out}"),
+            _ => format!("the smallest is across {}: {}", across.join(" and "), row.then),
+        };
+        format!(
+            "Cell {} {}: the next planes are at t = {x} across x, {y} across y, {z} across z; {then}.",
+            place + 1,
+            row.cell
+        )
+    });
+    let sentences: Vec<String> = sentences.collect();
+    sentences.join(" ")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::structure::{Across, CellStep};
+    use crate::trace::GridEnter;
+
+    fn visit(cell: [u32; 3], next: [f64; 3], across: Across) -> Visit {
+        Visit {
+            cell: CellStep {
+                cell,
+                next,
+                across,
+                ..CellStep::default()
+            },
+            ..Visit::default()
+        }
+    }
+
+    fn walk(end: WalkEnd) -> Walk {
+        let infinite = f64::INFINITY;
+        Walk {
+            step: 0,
+            grid: GridEnter::default(),
+            visits: vec![
+                visit([0, 0, 3], [5.0, infinite, 4.25], Across::Z),
+                visit([0, 0, 2], [5.0, infinite, 5.0], Across::XZ),
+                visit([1, 0, 1], [8.0, infinite, 9.5], Across::X),
+            ],
+            end,
+        }
+    }
+
+    #[track_caller]
+    fn check(walk: &Walk, place: usize, next: [&str; 3], chosen: &[usize], then: &str) {
+        let row = Row::of(walk, place);
+        assert_eq!(row.next, next);
+        assert_eq!((row.chosen.as_slice(), row.then.as_str()), (chosen, then));
+    }
+
+    #[test]
+    fn the_smallest_t_says_which_index_changes() {
+        let walk = walk(WalkEnd::Left);
+        check(&walk, 0, ["5", "∞", "4.25"], &[2], "k − 1");
+        // through an edge
+        check(&walk, 1, ["5", "∞", "5"], &[0, 2], "i + 1, k − 1");
+        check(&walk, 2, ["8", "∞", "9.5"], &[0], "leaves");
+    }
+
+    #[test]
+    fn a_walk_that_ends_with_a_hit_crosses_no_plane_after_it() {
+        check(&walk(WalkEnd::HitInCell), 2, ["8", "∞", "9.5"], &[], "hit");
+    }
+}

@@ -1,0 +1,388 @@
+//! Bounding volumes around the same object, and what they waste: the space between object and volume, and the rays
+//! that meet the volume and miss the object (slides, "Optimizing Intersection Calculations").
+//!
+//! Of a mesh the hull of its outline counts as the object.
+
+use glam::DVec2;
+
+use crate::figure::drawing::{DrawnRay, Figure, records_in};
+use crate::figure::error::FigureError;
+use crate::figure::frame::Frame;
+use crate::figure::hatch;
+use crate::figure::kinds::Kind;
+use crate::figure::look::{Dash, Look};
+use crate::figure::outline::{self, Outline, Rim, hull};
+use crate::figure::scenery;
+use crate::figure::sheet::{Anchor, Sheet};
+use crate::figure::spec::Layer;
+use crate::figure::traced::Traced;
+use crate::figure::view::{Projection, Stage};
+use crate::figure::volume_outline;
+use crate::geometry::Ray;
+use crate::scene::{Object, Scene, Shape};
+use crate::structure::VolumeKind;
+use crate::trace::{BoundOutcome, BoundTest, Bounded, Event, StrategyName};
+
+pub(super) const KIND: Kind = Kind {
+    draw,
+    height: 480.0,
+    layers: &[Layer::Ray, Layer::Legend],
+    usual: &[Layer::Ray, Layer::Legend],
+};
+
+/// What became of a ray.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Fate {
+    /// It met the volume and the object.
+    Hit,
+    /// It met the volume: the object was tested in vain.
+    InVain,
+    /// It did not meet the volume: the object was not tested.
+    Rejected,
+}
+
+impl Fate {
+    const ALL: [Self; 3] = [Self::Hit, Self::InVain, Self::Rejected];
+
+    fn look(self) -> Look {
+        match self {
+            Self::Hit => Look::HIT.outline(),
+            Self::InVain => Look::REJECTED.outline(),
+            Self::Rejected => Look::CULLED,
+        }
+    }
+
+    fn words(self) -> &'static str {
+        match self {
+            Self::Hit => "meets the object",
+            Self::InVain => "tested in vain",
+            Self::Rejected => "rejected by the volume",
+        }
+    }
+}
+
+/// A ray and its test against a volume.
+struct Tested {
+    ray: Ray,
+    bound: BoundTest,
+    fate: Fate,
+    /// Where the object was met.
+    t: Option<f64>,
+    /// The step of the volume's test.
+    step: u32,
+}
+
+/// A volume with its rays.
+struct Panel {
+    kind: VolumeKind,
+    volume: Outline,
+    rays: Vec<Tested>,
+    /// How much of the volume's outline the object leaves empty.
+    wasted: f64,
+}
+
+fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, FigureError> {
+    let number = bounded_object(figure)?;
+    let object = &figure.scene.objects[number];
+    let projection = figure.projection();
+    let rim = rim_of(figure.scene, object, &projection);
+    let panels = figure.traced.iter();
+    let panels = panels.map(|traced| panel(figure, traced, number, &rim));
+    let panels = panels.collect::<Result<Vec<_>, _>>()?;
+
+    let body = if figure.shows(Layer::Legend) && figure.shows(Layer::Ray) {
+        let is_there = |fate: &Fate| {
+            let mut rays = panels.iter().flat_map(|panel| &panel.rays);
+            rays.any(|ray| ray.fate == *fate)
+        };
+        let entries = Fate::ALL.into_iter().filter(is_there);
+        let entries: Vec<(Look, &str)> = entries.map(|fate| (fate.look(), fate.words())).collect();
+        sheet.legend(body, &entries)
+    } else {
+        body
+    };
+    let shown = panels.iter().flat_map(|panel| panel.volume.rim.points());
+    let shown: Vec<DVec2> = shown.collect();
+    for (panel, frame) in panels.iter().zip(frames(sheet, body, panels.len())) {
+        let [title, frame] = frame.split_top(sheet.line_height());
+        let stage = match figure.spec.frame {
+            Some(_) => figure.stage(frame, []),
+            None => Stage::fitted_flat(projection, frame, shown.iter().copied()),
+        };
+        let place = DVec2::new(title.middle().x, title.middle().y);
+        sheet.text(Anchor::Middle, place, title_of(figure, panel));
+        draw_panel(figure, sheet, &stage, panel, &rim);
+    }
+    let name = scenery::short(&object.name);
+    let sentences = panels.iter().map(|panel| in_words(figure, panel));
+    let sentences: Vec<String> = sentences.collect();
+    Ok(format!("Volumes around {name}: {}.", sentences.join("; ")))
+}
+
+/// The object that the specification names, or the first one whose volume is tested.
+fn bounded_object(figure: &Figure) -> Result<usize, FigureError> {
+    if let Some(id) = figure.object()? {
+        return Ok(figure.scene.primitive(id).object as usize);
+    }
+    let first = figure
+        .records()?
+        .iter()
+        .find_map(|record| match record.event {
+            Event::BoundTest(BoundTest {
+                of: Bounded::Object(number),
+                ..
+            }) => Some(number as usize),
+            _ => None,
+        });
+    first.ok_or_else(no_volumes)
+}
+
+fn no_volumes() -> FigureError {
+    FigureError::new(
+        "strategy",
+        "the trace of this ray has no test of a volume around an object",
+        "take \"strategy\": \"bounds\"",
+    )
+}
+
+/// The outline of an object as one closed line.
+fn rim_of(scene: &Scene, object: &Object, projection: &Projection) -> Rim {
+    let first = object.first.0 as usize;
+    let primitives = &scene.primitives[first..first + object.count as usize];
+    let outline = |shape: &Shape| Outline::of(shape, projection).rim;
+    match primitives {
+        [only] => outline(&only.shape),
+        faces => {
+            let points = faces.iter().flat_map(|face| outline(&face.shape).points());
+            Rim::Points(hull(points.collect()))
+        }
+    }
+}
+
+/// What is drawn of one volume.
+fn panel(figure: &Figure, traced: &Traced, number: usize, rim: &Rim) -> Result<Panel, FigureError> {
+    if traced.settings.strategy != StrategyName::Bounds {
+        return Err(no_volumes());
+    }
+    let volume = volume_outline::around_object(figure, traced, number)?;
+    let mut rays = Vec::new();
+    for pixel in figure.pixels() {
+        let records = records_in(traced, pixel)?;
+        let ray = DrawnRay::find(records, figure.spec.ray.unwrap_or(0))?;
+        rays.push(tested(figure.scene, &ray, number).ok_or_else(no_volumes)?);
+    }
+    Ok(Panel {
+        kind: traced.settings.structure.volume,
+        wasted: wasted(&volume.rim, rim),
+        volume,
+        rays,
+    })
+}
+
+/// The share of a volume's outline that the object in it leaves empty; nothing of nothing.
+fn wasted(volume: &Rim, object: &Rim) -> f64 {
+    let area = volume.area();
+    if 0.0 < area {
+        1.0 - object.area() / area
+    } else {
+        0.0
+    }
+}
+
+/// What became of a ray at the volume around an object; `None` if it was not tested.
+fn tested(scene: &Scene, ray: &DrawnRay, number: usize) -> Option<Tested> {
+    let start = ray.node.start?;
+    let (bound, step) = ray.events.iter().find_map(|record| match record.event {
+        Event::BoundTest(bound) if bound.of == Bounded::Object(number as u32) => {
+            Some((bound, record.step))
+        }
+        _ => None,
+    })?;
+    let of_object = |id| scene.primitive(id).object as usize == number;
+    // the hit of this object, whatever lies before it later
+    let nearest = ray
+        .events
+        .iter()
+        .rev()
+        .find_map(|record| match record.event {
+            Event::Nearest(nearest) if of_object(nearest.object) => Some(nearest.t),
+            _ => None,
+        });
+    let fate = match (bound.outcome, nearest) {
+        (BoundOutcome::Hit, Some(_)) => Fate::Hit,
+        (BoundOutcome::Hit, None) => Fate::InVain,
+        _ => Fate::Rejected,
+    };
+    Some(Tested {
+        ray: start.ray,
+        bound,
+        fate,
+        t: nearest,
+        step,
+    })
+}
+
+/// Frames for so many panels: one above the other if there is one or two, else two beside each other.
+fn frames(sheet: &Sheet, body: Frame, count: usize) -> Vec<Frame> {
+    let rows = count.div_ceil(2).max(1);
+    let gap = sheet.letters;
+    let height = (body.size().y - gap * (rows as f64 - 1.0)) / rows as f64;
+    let mut frames = Vec::new();
+    let mut rest = body;
+    for row in 0..rows {
+        let [line, below] = rest.split_top(height);
+        rest = Frame {
+            min: below.min + DVec2::new(0.0, gap),
+            ..below
+        };
+        if 2 * row + 1 == count {
+            frames.push(line);
+        } else {
+            frames.extend(line.split(0.5, 2.0 * gap));
+        }
+    }
+    frames
+}
+
+fn name(kind: VolumeKind) -> &'static str {
+    match kind {
+        VolumeKind::Sphere => "sphere",
+        VolumeKind::Ellipsoid => "ellipsoid",
+        VolumeKind::Box => "rectangular solid",
+        VolumeKind::Slabs => "slabs",
+    }
+}
+
+/// The share that is wasted, in whole percent.
+fn percent(share: f64) -> String {
+    format!("{:.0} %", 100.0 * share)
+}
+
+fn rays(count: usize) -> String {
+    match count {
+        1 => "1 ray".into(),
+        _ => format!("{count} rays"),
+    }
+}
+
+fn title_of(figure: &Figure, panel: &Panel) -> String {
+    let mut title = format!("{}: {} empty", name(panel.kind), percent(panel.wasted));
+    if figure.shows(Layer::Ray) {
+        let in_vain = panel.rays.iter().filter(|ray| ray.fate == Fate::InVain);
+        title = format!("{title}, {} in vain", rays(in_vain.count()));
+    }
+    title
+}
+
+fn draw_panel(figure: &Figure, sheet: &mut Sheet, stage: &Stage, panel: &Panel, object: &Rim) {
+    let seen = |rim: &Rim| {
+        let points = rim.points().into_iter().map(|p| stage.place_flat(p));
+        stage.frame.cut_polygon(&points.collect::<Vec<_>>())
+    };
+    hatch::between(
+        sheet,
+        Look::THIN.wide(0.5),
+        &[seen(&panel.volume.rim), seen(object)],
+    );
+    outline::draw(sheet, stage, &panel.volume, Look::VISITED.outline());
+    outline::rim(sheet, stage, object, Look::OBJECT.wide(1.5));
+    if !figure.shows(Layer::Ray) {
+        return;
+    }
+    sheet.cut_at(stage.frame);
+    for tested in &panel.rays {
+        let place = |t: f64| stage.place(tested.ray.at(t));
+        let Some(edge) = stage.leaves(&tested.ray) else {
+            continue;
+        };
+        let to = place(tested.t.unwrap_or(edge));
+        sheet.at_step(tested.step);
+        sheet.arrow(tested.fate.look(), place(0.0), to);
+        if let (Fate::InVain, Some([near, far])) = (tested.fate, tested.bound.inside) {
+            let solid = Look {
+                dash: Dash::Solid,
+                ..tested.fate.look()
+            };
+            sheet.line(solid.wide(3.5), place(near), place(far));
+        }
+        if tested.fate == Fate::Hit {
+            sheet.dot(Look::HIT, to);
+        }
+    }
+    sheet.cut_at(None);
+    sheet.at_step(None);
+}
+
+/// One volume in words.
+fn in_words(figure: &Figure, panel: &Panel) -> String {
+    let empty = percent(panel.wasted);
+    let mut sentence = format!("{}, {empty} of its outline empty", name(panel.kind));
+    if figure.shows(Layer::Ray) {
+        for fate in Fate::ALL {
+            let count = panel.rays.iter().filter(|ray| ray.fate == fate).count();
+            if 0 < count {
+                sentence = format!("{sentence}, {} {}", rays(count), fate.words());
+            }
+        }
+    }
+    sentence
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::figure::sheet::Width;
+    use crate::figure::volume_outline::around;
+    use crate::scene::load_bytes;
+    use crate::structure::SlabSet;
+
+    /// A square prism of the side 2 and the height 4, upright.
+    fn scene() -> Scene {
+        let json = r#"{"camera":{"look_at":{"cop":[0,0,9],"target":[0,0,0],"up":[0,1,0],"fov_degrees":40},
+            "pixels":[2,2]},"materials":{"m":{"colour":[1,1,1]}},
+            "objects":[{"name":"A","material":"m","shape":{"box":{"min":[-1,-2,-1],"max":[1,2,1]}}}]}"#;
+        let folder = std::path::Path::new(".");
+        let loaded = load_bytes("scene.json", json.as_bytes(), folder).unwrap();
+        loaded.build().unwrap()
+    }
+
+    /// The share of its volume's outline that the prism leaves empty, seen from the front.
+    #[track_caller]
+    fn check(kind: VolumeKind, expected: f64) {
+        let scene = scene();
+        let projection = Projection::new(glam::DVec3::X, glam::DVec3::Y);
+        let object = rim_of(&scene, &scene.objects[0], &projection);
+        let volume = around(&scene, 0, kind, &SlabSet::AXES, &projection);
+        let found = wasted(&volume.rim, &object);
+        assert!((found - expected).abs() < 1e-8, "{kind:?}: {found}");
+    }
+
+    #[test]
+    fn the_share_that_is_empty_is_that_of_areas_in_the_view() {
+        use std::f64::consts::PI;
+        // 2 × 4 = 8 of a circle with the radius √(1 + 4 + 1)
+        check(VolumeKind::Sphere, 1.0 - 8.0 / (6.0 * PI));
+        // of an ellipse with the half axes √3 and 2√3
+        check(VolumeKind::Ellipsoid, 1.0 - 8.0 / (6.0 * PI));
+        check(VolumeKind::Box, 0.0);
+        check(VolumeKind::Slabs, 0.0);
+    }
+
+    #[test]
+    fn panels_stand_in_rows_of_two_and_the_last_may_be_alone() {
+        let sheet = Sheet::new(Width::Book, 400.0);
+        let body = sheet.body();
+        for (count, rows) in [(1, 1.0), (2, 1.0), (3, 2.0), (4, 2.0)] {
+            let frames = frames(&sheet, body, count);
+            assert_eq!(frames.len(), count);
+            let height = (body.size().y - sheet.letters * (rows - 1.0)) / rows;
+            for (i, frame) in frames.iter().enumerate() {
+                assert!((frame.size().y - height).abs() < 1e-9, "{count}");
+                assert!(body.wider(1e-9).holds(*frame), "{count}: {frame:?}");
+                for other in &frames[..i] {
+                    assert_eq!(frame.shared_area(*other), 0.0);
+                }
+            }
+        }
+    }
+}

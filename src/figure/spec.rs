@@ -1,0 +1,189 @@
+//! What a lesson says about a figure: which scene, which pixel, which strategy, from where it is seen, what is shown.
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use crate::figure::view::View;
+use crate::structure::{StructureOptions, VolumeKind};
+use crate::trace::{StrategyName, Through, Transport};
+
+/// A figure of a lesson. The same name serves the command line, the book and the tests.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct FigureSpec {
+    /// What is drawn.
+    pub kind: FigureKind,
+    /// The scene, by its file beside the lesson.
+    pub scene: String,
+    /// What the figure is called, for who hears it; usually its kind and where its trace comes from.
+    #[serde(default, skip_serializing_if = "String::is_empty")]
+    pub title: String,
+    /// What stands below it.
+    #[serde(default, skip_serializing_if = "String::is_empty")]
+    pub caption: String,
+    /// The pixel whose trace is drawn.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub pixel: Option<[u32; 2]>,
+    /// Several pixels, for the kinds that draw more than one.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub pixels: Vec<[u32; 2]>,
+    /// The ray that is drawn, by its number in the pixel's trace; usually the eye ray, 0.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub ray: Option<u32>,
+    /// The object that is drawn, by its name; usually the first that the ray is tested against.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub object: Option<String>,
+    /// Which objects each ray is tested against.
+    #[serde(default)]
+    pub strategy: StrategyName,
+    /// Several strategies on the same rays, for the kinds that compare them.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub strategies: Vec<StrategyName>,
+    /// Do several maps share one scale? Usually each has its own.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub one_scale: bool,
+    /// Several bounding volumes around the same objects, for the kind that compares them.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub volumes: Vec<VolumeKind>,
+    /// What is chosen about the strategy's structure.
+    #[serde(default)]
+    pub structure: StructureOptions,
+    /// Which rays are cast.
+    #[serde(default)]
+    pub transport: Transport,
+    /// Where the eye rays pass a pixel.
+    #[serde(default)]
+    pub through: Through,
+    /// The size of the picture in pixels, in place of the scene's.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub size: Option<[u32; 2]>,
+    /// From where the scene is seen.
+    #[serde(default)]
+    pub view: View,
+    /// The part of the scene that is to be seen, by two opposite corners; usually all that is drawn.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub frame: Option<[[f64; 3]; 2]>,
+    /// What is shown of what the kind can show; usually what it shows by itself.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub show: Vec<Layer>,
+    /// The axis along which a polygon is projected, in place of the one that the test chose.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub drop: Option<DroppedAxis>,
+    /// The last step of the trace that is shown; usually all are.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub step: Option<u32>,
+}
+
+/// What a figure draws.
+#[derive(
+    Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize, JsonSchema,
+)]
+#[serde(rename_all = "kebab-case")]
+pub enum FigureKind {
+    /// The pinhole camera: the box, the hole, the inverted image, and the window before the COP (Fig. 12-1).
+    Pinhole,
+    /// The window as a grid of pixels, and the eye ray through one of them.
+    Window,
+    /// The rays of a pixel in the scene.
+    Rays,
+    /// N, L, R and V at a point, and the terms of its shade.
+    Shading,
+    /// The line of t: behind the COP, 0, the window, beyond.
+    LineOfT,
+    /// A ray and a sphere: the roots, the normal, the parabola of the quadratic.
+    Sphere,
+    /// A ray and a polygon, projected along an axis (Fig. 15.57).
+    Polygon,
+    /// A ray laid along the z axis, and the z sort.
+    Alignment,
+    /// Bounding volumes around an object, and what they waste.
+    Volumes,
+    /// An object in slabs, in 2D (Fig. 15.58(a)).
+    Slabs,
+    /// The bound of two bounds (Fig. 15.58(b)).
+    Merge,
+    /// Near and far along a ray, slab by slab.
+    Intervals,
+    /// The tree of a hierarchy and its nested volumes, for one ray.
+    Hierarchy,
+    /// The heap of waiting nodes over time.
+    Heap,
+    /// The scene's box cut into a regular grid (Fig. 15.61).
+    Partition,
+    /// A ray through a grid in 2D (Fig. 15.62).
+    Grid,
+    /// The steps of a walk through a grid: t per axis, and the choice.
+    Steps,
+    /// What each strategy costs, as bars.
+    Costs,
+    /// What each pixel cost.
+    Heat,
+    /// The picture, its pixels as squares, the traced ones marked.
+    Picture,
+}
+
+/// A part of a figure that can be shown or left out.
+#[derive(
+    Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize, JsonSchema,
+)]
+#[serde(rename_all = "kebab-case")]
+pub enum Layer {
+    /// The objects of the scene.
+    Objects,
+    /// Their names.
+    Names,
+    /// The eye.
+    Eye,
+    /// The window.
+    Window,
+    /// The pixels on the window.
+    Pixels,
+    /// The lights.
+    Lights,
+    /// Eye rays, or the ray that is drawn.
+    Ray,
+    /// Rays to lights.
+    ShadowRays,
+    /// Reflected and refracted rays.
+    Secondary,
+    /// What was met, and where.
+    Hits,
+    /// The normals of what was met.
+    Normals,
+    /// Angles to the normals.
+    Angles,
+    /// Objects that were tested, and what came of it.
+    Tests,
+    /// Cells of the grid.
+    Cells,
+    /// What is on the lists of the cells.
+    Lists,
+    /// Bounding volumes.
+    Volumes,
+    /// Slabs.
+    Slabs,
+    /// The tree of a hierarchy.
+    Tree,
+    /// The parabola of a quadratic.
+    Parabola,
+    /// What is projected, and onto what.
+    Projection,
+    /// Numbers beside the lines.
+    Numbers,
+    /// The picture beside the figure, the traced pixel marked.
+    Image,
+    /// What the looks of lines mean.
+    Legend,
+}
+
+/// A coordinate that is dropped.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum DroppedAxis {
+    /// x.
+    X,
+    /// y.
+    Y,
+    /// z.
+    Z,
+}

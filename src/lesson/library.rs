@@ -1,0 +1,235 @@
+//! The lessons of a folder, and their figures by name: `12-grid/walk`.
+
+use std::fmt;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::str::FromStr;
+
+use crate::figure::{Drawn, FigureError, FigureSpec, Rendition, Traced, Width, draw};
+use crate::lesson::{LessonError, LessonFile, trace_figure};
+use crate::scene::{LoadError, Place, line_of, nearest_name, parse_json};
+
+/// A figure's name: its lesson and its own.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct FigureName {
+    /// The folder of the lesson.
+    pub lesson: String,
+    /// The figure.
+    pub figure: String,
+}
+
+impl FromStr for FigureName {
+    type Err = String;
+    fn from_str(text: &str) -> Result<Self, String> {
+        match text.split_once('/') {
+            Some((lesson, figure)) if !lesson.is_empty() && is_word(figure) => Ok(Self {
+                lesson: lesson.into(),
+                figure: figure.into(),
+            }),
+            _ => Err("give a lesson and a figure of it, as in 12-grid/walk".into()),
+        }
+    }
+}
+
+impl fmt::Display for FigureName {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}/{}", self.lesson, self.figure)
+    }
+}
+
+/// Can it be part of a file's name and of an id?
+fn is_word(name: &str) -> bool {
+    let known = |c: char| c.is_ascii_alphanumeric() || c == '-';
+    !name.is_empty() && name.chars().all(known)
+}
+
+/// A lesson that was read.
+#[derive(Clone, Debug)]
+pub struct Lesson {
+    /// The name of its folder.
+    pub name: String,
+    folder: PathBuf,
+    /// Its file as it was given, and the text, to find the line of a mistake.
+    file: String,
+    text: String,
+    /// What the file says.
+    pub content: LessonFile,
+}
+
+/// The lessons of a folder.
+#[derive(Clone, Debug)]
+pub struct Library {
+    /// In the order of their names.
+    pub lessons: Vec<Lesson>,
+}
+
+impl Library {
+    /// Reads every lesson of a folder: the folders in it that have a `lesson.json`.
+    ///
+    /// # Errors
+    /// A folder that cannot be read or has no lesson, or a lesson with a mistake.
+    pub fn open(folder: &Path) -> Result<Self, LessonError> {
+        let failed = |source| LessonError::Folder {
+            folder: folder.display().to_string(),
+            source,
+        };
+        let mut lessons = Vec::new();
+        for entry in fs::read_dir(folder).map_err(|source| failed(Some(source)))? {
+            let path = entry.map_err(|source| failed(Some(source)))?.path();
+            if path.join("lesson.json").is_file() {
+                lessons.push(Lesson::read(path)?);
+            }
+        }
+        if lessons.is_empty() {
+            return Err(failed(None));
+        }
+        lessons.sort_by(|a, b| a.name.cmp(&b.name));
+        Ok(Self { lessons })
+    }
+
+    /// The names of all figures, lesson after lesson.
+    pub fn figures(&self) -> Vec<FigureName> {
+        let of_lesson = |lesson: &Lesson| {
+            let lesson_name = lesson.name.clone();
+            let names = lesson.content.figures.keys().cloned();
+            let named = names.map(move |figure| FigureName {
+                lesson: lesson_name.clone(),
+                figure,
+            });
+            named.collect::<Vec<_>>()
+        };
+        self.lessons.iter().flat_map(of_lesson).collect()
+    }
+
+    /// A figure by its name.
+    ///
+    /// # Errors
+    /// There is none of this name; one that is like it is named.
+    pub fn find(&self, name: &FigureName) -> Result<(&Lesson, &FigureSpec), LessonError> {
+        let lesson = self.lessons.iter().find(|of| of.name == name.lesson);
+        let found = lesson.and_then(|of| Some((of, of.content.figures.get(&name.figure)?)));
+        if let Some(found) = found {
+            return Ok(found);
+        }
+        // within a lesson that is there the figure's own name is compared, or else all of both would look alike
+        let mut known = self.figures();
+        let near = match lesson {
+            Some(_) => {
+                known.retain(|of| of.lesson == name.lesson);
+                let names = known.iter().map(|of| of.figure.as_str());
+                let near = nearest_name(&name.figure, names);
+                near.map(|figure| format!("{}/{figure}", name.lesson))
+            }
+            None => {
+                let names: Vec<String> = known.iter().map(ToString::to_string).collect();
+                nearest_name(&name.to_string(), names.iter().map(String::as_str))
+            }
+        };
+        Err(LessonError::Unknown {
+            near,
+            name: name.to_string(),
+            what: "figure",
+            known: known.iter().map(ToString::to_string).collect(),
+        })
+    }
+}
+
+impl Lesson {
+    fn read(folder: PathBuf) -> Result<Self, LessonError> {
+        let path = folder.join("lesson.json");
+        let file = path.display().to_string();
+        let text = fs::read_to_string(&path).map_err(|source| LoadError::Read {
+            file: file.clone(),
+            source,
+        })?;
+        let content: LessonFile = parse_json(&file, &text, "lesson")?;
+        let name = folder.file_name().unwrap_or_default();
+        let lesson = Self {
+            name: name.to_string_lossy().into_owned(),
+            folder,
+            file,
+            text,
+            content,
+        };
+        if let Some(wrong) = lesson.content.figures.keys().find(|name| !is_word(name)) {
+            let error = FigureError {
+                key: "",
+                what: format!("{wrong:?} is no name for a figure"),
+                fix: "take letters a-z, digits and -".into(),
+            };
+            return Err(lesson.wrong(wrong, error));
+        }
+        Ok(lesson)
+    }
+
+    /// Traces what a figure of this lesson is drawn from.
+    ///
+    /// # Errors
+    /// A scene that cannot be read, or a specification that does not fit it.
+    pub fn trace(&self, name: &str, spec: &FigureSpec) -> Result<Vec<Traced>, LessonError> {
+        let scene = crate::scene::load(&self.folder.join(&spec.scene))?;
+        let whole_name = self.whole_name(name);
+        trace_figure(scene, &whole_name, spec, |error| self.wrong(name, error))
+    }
+
+    /// Draws a figure of this lesson.
+    ///
+    /// # Errors
+    /// A specification that asks for what the trace does not have.
+    pub fn draw(
+        &self,
+        name: &str,
+        spec: &FigureSpec,
+        traced: &[Traced],
+        id: &str,
+        (width, rendition): (Width, Rendition),
+    ) -> Result<Drawn, LessonError> {
+        let whole_name = self.whole_name(name);
+        let mut of_others = traced.iter().filter_map(|of| of.settings.figure.as_ref());
+        if let Some(other) = of_others.find(|other| **other != whole_name) {
+            let error = FigureError {
+                key: "",
+                what: format!("the log is that of the figure {other}"),
+                fix: format!("write its own: raystep figure {whole_name} --write-log F.jsonl"),
+            };
+            return Err(self.wrong(name, error));
+        }
+        draw(spec, traced, id, width, rendition).map_err(|error| self.wrong(name, error))
+    }
+
+    fn whole_name(&self, figure: &str) -> String {
+        format!("{}/{figure}", self.name)
+    }
+
+    /// A mistake in the specification of a figure, with its place in the file.
+    fn wrong(&self, figure: &str, error: FigureError) -> LessonError {
+        let path = match error.key {
+            "" => format!("figures.{figure}"),
+            key => format!("figures.{figure}.{key}"),
+        };
+        let place = Box::new(Place {
+            file: self.file.clone(),
+            line: line_of(&self.text, &path),
+            path,
+        });
+        LessonError::Figure { place, error }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_name_has_a_lesson_and_a_figure() {
+        let name: FigureName = "12-grid/walk".parse().unwrap();
+        assert_eq!(
+            (name.lesson.as_str(), name.figure.as_str()),
+            ("12-grid", "walk")
+        );
+        assert_eq!(name.to_string(), "12-grid/walk");
+        for wrong in ["walk", "/walk", "12-grid/", "a/b/c", "a/<b>", "a/b c"] {
+            assert!(wrong.parse::<FigureName>().is_err(), "{wrong}");
+        }
+    }
+}

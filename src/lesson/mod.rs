@@ -1,0 +1,13 @@
+//! The course's data: lesson files, and the traces that their figures are drawn from.
+
+mod compare;
+mod error;
+mod file;
+mod library;
+mod trace;
+
+pub use compare::{compare, scan_lines_to_compare};
+pub use error::LessonError;
+pub use file::{LessonFile, lesson_schema};
+pub use library::{FigureName, Lesson, Library};
+pub use trace::trace_figure;
