@@ -5,6 +5,7 @@
 )]
 
 mod arguments;
+mod lessons;
 mod nff_and_obj;
 mod options;
 mod scenes;

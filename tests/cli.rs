@@ -3,6 +3,7 @@
 pub(crate) mod run;
 pub(crate) mod strategies;
 
+pub(crate) mod figures;
 mod logs;
 #[cfg(unix)]
 mod pipes;

@@ -6,6 +6,7 @@ mod calculator;
 mod cli;
 mod compare;
 mod exact;
+mod figures;
 mod grid_exact;
 mod layers;
 mod polygon_exact;

@@ -1,0 +1,298 @@
+//! Every figure of every lesson: well-formed, legible, and the same from its log.
+
+use std::collections::HashSet;
+use std::path::Path;
+
+use raystep::{FigureName, Library, Rendition, Traced, Width, draw, lesson_schema, text_width};
+use roxmltree::{Document, Node};
+
+/// What a figure is named by in its ids here.
+const ID: &str = "raystep-test";
+
+fn library() -> Library {
+    Library::open(&Path::new(env!("CARGO_MANIFEST_DIR")).join("lessons")).unwrap()
+}
+
+/// Each figure with its trace.
+fn traced() -> Vec<(FigureName, raystep::FigureSpec, Vec<Traced>)> {
+    let library = library();
+    let figures = library.figures();
+    let trace = |name: FigureName| {
+        let (lesson, spec) = library.find(&name).unwrap();
+        let traced = lesson.trace(&name.figure, spec);
+        let traced = traced.unwrap_or_else(|error| panic!("{name}: {error}"));
+        (name, spec.clone(), traced)
+    };
+    figures.into_iter().map(trace).collect()
+}
+
+/// Both widths, and what is written differently.
+fn ways() -> Vec<(Width, Rendition)> {
+    let usual = Rendition::default();
+    vec![
+        (Width::Book, usual),
+        (Width::Slide, usual),
+        (
+            Width::Book,
+            Rendition {
+                standalone: true,
+                ..usual
+            },
+        ),
+        (
+            Width::Slide,
+            Rendition {
+                grayscale: true,
+                ..usual
+            },
+        ),
+    ]
+}
+
+#[test]
+fn every_figure_is_well_formed_and_legible() {
+    let mut checked = 0;
+    for (name, spec, traced) in traced() {
+        for (width, rendition) in ways() {
+            let drawn = draw(&spec, &traced, ID, width, rendition);
+            let drawn = drawn.unwrap_or_else(|error| panic!("{name}: {error}"));
+            check_svg(&format!("{name} {width:?}"), &drawn.svg);
+            checked += 1;
+        }
+    }
+    assert!(0 < checked);
+}
+
+#[test]
+fn a_saved_log_gives_the_same_bytes() {
+    for (name, spec, traced) in traced() {
+        let drawn = |traced: &[Traced]| {
+            let drawn = draw(&spec, traced, ID, Width::Book, Rendition::default());
+            drawn.unwrap_or_else(|error| panic!("{name}: {error}"))
+        };
+        let mut log = Vec::new();
+        for traced in &traced {
+            traced.write(&mut log).unwrap();
+        }
+        let read = Traced::read("log", &log).unwrap_or_else(|error| panic!("{name}: {error}"));
+        assert_eq!(drawn(&read), drawn(&traced), "{name}");
+    }
+}
+
+#[test]
+fn a_figure_up_to_its_last_step_is_the_whole_figure_and_each_step_adds_something() {
+    for (name, spec, traced) in traced() {
+        if spec.step.is_some() {
+            continue;
+        }
+        let drawn = |up_to| {
+            let rendition = Rendition {
+                up_to,
+                ..Rendition::default()
+            };
+            draw(&spec, &traced, ID, Width::Book, rendition).unwrap()
+        };
+        let whole = drawn(None);
+        assert_eq!(drawn(whole.steps.last().copied()).svg, whole.svg, "{name}");
+        let mut length = 0;
+        // a dozen of many
+        let some = whole.steps.len().div_ceil(12).max(1);
+        for step in whole.steps.iter().step_by(some) {
+            let svg = drawn(Some(*step)).svg;
+            assert!(length < svg.len(), "{name}, step {step}");
+            length = svg.len();
+        }
+    }
+}
+
+#[test]
+fn every_kind_of_figure_is_in_a_lesson() {
+    let schema = lesson_schema();
+    let kinds = schema["$defs"]["FigureKind"]["oneOf"].as_array().unwrap();
+    let kinds: HashSet<&str> = kinds
+        .iter()
+        .map(|of| of["const"].as_str().unwrap())
+        .collect();
+    assert!(20 <= kinds.len(), "{kinds:?}");
+    let library = library();
+    let figures = library
+        .lessons
+        .iter()
+        .flat_map(|lesson| lesson.content.figures.values());
+    let drawn = figures.map(|spec| serde_json::to_value(spec.kind).unwrap());
+    let drawn: HashSet<String> = drawn.map(|kind| kind.as_str().unwrap().into()).collect();
+    let missing: Vec<_> = kinds
+        .iter()
+        .filter(|kind| !drawn.contains(**kind))
+        .collect();
+    assert!(missing.is_empty(), "{missing:?}");
+}
+
+#[test]
+fn every_lesson_is_as_its_schema_says() {
+    let schema = jsonschema::validator_for(&lesson_schema()).unwrap();
+    for lesson in library().lessons {
+        let content = serde_json::to_value(&lesson.content).unwrap();
+        assert!(schema.is_valid(&content), "{}", lesson.name);
+    }
+    let wrong =
+        serde_json::json!({ "title": "t", "figures": { "f": { "kind": "ball", "scene": "s" } } });
+    assert!(!schema.is_valid(&wrong));
+}
+
+#[test]
+fn the_printed_figures_have_their_labels() {
+    for (name, labels) in [
+        // Fig. 15.57: the polygon, the ray's point p, p′ on a coordinate plane
+        ("06-polygon/inside", &["R", "p", "p′", "x", "y", "z"][..]),
+        // Fig. 15.58: four slabs of two planes each; two bounds and the bound of both
+        (
+            "10-bounds/slabs",
+            &[
+                "n₀ D_min",
+                "n₀ D_max",
+                "n₁ D_min",
+                "n₁ D_max",
+                "n₂ D_min",
+                "n₂ D_max",
+                "n₃ D_min",
+                "n₃ D_max",
+            ],
+        ),
+        (
+            "10-bounds/merge",
+            &["A", "B", "minimum D_min", "maximum D_max"],
+        ),
+        // Fig. 15.61: cells along x, y and z
+        (
+            "12-grid/partition",
+            &["5 cells along x", "3 cells along y", "4 cells along z"],
+        ),
+        // Fig. 15.62: ray R and the objects that it is tested against, no other
+        ("12-grid/walk", &["R", "A", "B", "C"]),
+    ] {
+        let library = library();
+        let figure: FigureName = name.parse().unwrap();
+        let (lesson, spec) = library.find(&figure).unwrap();
+        let traced = lesson.trace(&figure.figure, spec).unwrap();
+        let svg = draw(spec, &traced, ID, Width::Book, Rendition::default())
+            .unwrap()
+            .svg;
+        let document = Document::parse(&svg).unwrap();
+        let texts = document
+            .descendants()
+            .filter(|node| node.has_tag_name("text"));
+        let texts: Vec<&str> = texts.filter_map(|node| node.text()).collect();
+        for label in labels {
+            assert!(texts.contains(label), "{name}: no {label} among {texts:?}");
+        }
+        if name == "12-grid/walk" {
+            for other in ["D", "E", "F"] {
+                assert!(!texts.contains(&other), "{name}: {other} is not tested");
+            }
+        }
+    }
+}
+
+/// What every drawing must be.
+#[track_caller]
+pub(crate) fn check_svg(name: &str, svg: &str) {
+    let document = Document::parse(svg).unwrap_or_else(|error| panic!("{name}: {error}"));
+    let root = document.root_element();
+    assert_eq!(root.attribute("role"), Some("img"), "{name}");
+    assert!(
+        !svg.trim_end().contains("\n\n"),
+        "{name}: an empty line ends a block of HTML"
+    );
+
+    let mut ids = HashSet::new();
+    for node in root.descendants().filter(Node::is_element) {
+        if let Some(id) = node.attribute("id") {
+            assert!(ids.insert(id.to_owned()), "{name}: the id {id} comes twice");
+            assert!(id.starts_with(ID), "{name}: {id}");
+        }
+        for attribute in node.attributes() {
+            let value = attribute.value();
+            let place = format!("{name}: {}=\"{value}\"", attribute.name());
+            let refers = value.contains("url(") || attribute.name() == "href";
+            assert!(!refers, "{place}: a reference breaks where ids are renamed");
+            let numbers = [
+                "x",
+                "y",
+                "width",
+                "height",
+                "cx",
+                "cy",
+                "r",
+                "rx",
+                "ry",
+                "stroke-width",
+            ];
+            if numbers.contains(&attribute.name()) {
+                let number: f64 = value.parse().unwrap_or_else(|_| panic!("{place}"));
+                assert!(number.is_finite(), "{place}");
+            }
+            if attribute.name() == "d" {
+                for number in value
+                    .split(['M', 'L', 'Z', ' '])
+                    .filter(|word| !word.is_empty())
+                {
+                    let number: f64 = number.parse().unwrap_or_else(|_| panic!("{place}"));
+                    assert!(number.is_finite() && number.abs() < 1e5, "{place}");
+                }
+            }
+        }
+    }
+    for part in ["title", "desc"] {
+        let node = root.children().find(|node| node.has_tag_name(part));
+        let text = node.and_then(|node| node.text()).unwrap_or_default();
+        assert!(!text.trim().is_empty(), "{name}: no {part}");
+        let id = node
+            .and_then(|node| node.attribute("id"))
+            .unwrap_or_default();
+        let labelled = root.attribute("aria-labelledby").unwrap_or_default();
+        assert!(labelled.split(' ').any(|of| of == id), "{name}: {part}");
+    }
+
+    let view_box = root.attribute("viewBox").unwrap();
+    let size: Vec<f64> = view_box
+        .split(' ')
+        .map(|number| number.parse().unwrap())
+        .collect();
+    let boxes: Vec<(String, [f64; 4])> = root
+        .descendants()
+        .filter(|node| node.has_tag_name("text"))
+        .map(|node| {
+            (
+                node.text().unwrap_or_default().to_owned(),
+                letters_box(&root, &node),
+            )
+        })
+        .collect();
+    for (i, (text, [left, top, right, bottom])) in boxes.iter().enumerate() {
+        assert!(
+            0.0 <= *left && 0.0 <= *top && *right <= size[2] && *bottom <= size[3],
+            "{name}: {text:?} leaves the view box: {left} {top} {right} {bottom}"
+        );
+        for (other, b) in &boxes[..i] {
+            let apart = *right <= b[0] || b[2] <= *left || *bottom <= b[1] || b[3] <= *top;
+            assert!(apart, "{name}: {text:?} lies over {other:?}");
+        }
+    }
+}
+
+/// Left, top, right and bottom of a line of letters: from the height of a capital to a little below the line.
+fn letters_box(root: &Node, node: &Node) -> [f64; 4] {
+    let number = |node: &Node, key: &str| node.attribute(key).and_then(|of| of.parse::<f64>().ok());
+    let size = number(node, "font-size")
+        .or_else(|| number(root, "font-size"))
+        .unwrap();
+    let width = text_width(node.text().unwrap_or_default()) * size;
+    let (x, y) = (number(node, "x").unwrap(), number(node, "y").unwrap());
+    let left = match node.attribute("text-anchor") {
+        Some("middle") => x - 0.5 * width,
+        Some("end") => x - width,
+        _ => x,
+    };
+    [left, y - 0.73 * size, left + width, y + 0.2 * size]
+}
