@@ -17,7 +17,8 @@
 //! 6. [`tracer`]: what a hit leads to: shadow rays, reflection, refraction; pixels and pictures;
 //! 7. [`explain`]: from events to words, and what each strategy costs;
 //! 8. [`figure`]: from events to the figures of a lecture; bars of costs and heat maps;
-//! 9. [`lesson`]: the course's data, and the traces that its figures are drawn from.
+//! 9. [`lesson`]: the course's data, and the traces that its figures are drawn from;
+//! 10. [`book`]: the preprocessor for mdBook.
 //!
 //! Equations and figures are numbered as in the course's slides, after Foley, van Dam, Feiner and Hughes,
 //! *Computer Graphics: Principles and Practice*, §15.10.
@@ -45,6 +46,7 @@
 //! # }
 //! ```
 
+pub mod book;
 pub mod explain;
 pub mod figure;
 pub mod geometry;
@@ -55,6 +57,7 @@ pub mod structure;
 pub mod trace;
 pub mod tracer;
 
+pub use book::{BookError, BookMistake, BookOptions, Preprocessed, preprocess};
 pub use explain::{
     Compared, Comparison, Cost, InAdvance, WorkedOptions, counts_json, counts_text, in_advance,
     in_advance_json, in_advance_text, pixel_json, printable, strategies_to_compare,

@@ -1,6 +1,7 @@
 //! The integration tests: one binary, a module per subject.
 
 mod bad_input;
+mod book;
 mod bounds;
 mod calculator;
 mod cli;

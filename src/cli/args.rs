@@ -13,7 +13,7 @@ use raystep::{
 };
 
 use crate::cli::Error;
-pub(crate) use figures::{Drawing, FigureArgs, FiguresArgs, WidthName};
+pub(crate) use figures::{Drawing, FigureArgs, FiguresArgs, MdbookArgs, MdbookVerb, WidthName};
 
 /// A ray tracer that shows its working.
 #[derive(Debug, Parser)]
@@ -46,6 +46,8 @@ pub(crate) enum Verb {
     Schema(SchemaArgs),
     /// Print completions for a shell.
     Completions(CompletionsArgs),
+    /// Follow the directives of an mdBook; mdBook calls this.
+    Mdbook(MdbookArgs),
 }
 
 /// How a scene is traced. A saved log has been traced, so none of these go with one, except the

@@ -4,7 +4,7 @@ use std::fmt;
 use std::io;
 
 use raystep::{
-    Fault, GridError, LessonError, LoadError, LogError, Region, StructureError,
+    BookError, Fault, GridError, LessonError, LoadError, LogError, Region, StructureError,
 };
 
 /// Why a command did not do what it was asked to.
@@ -23,6 +23,8 @@ pub(crate) enum Error {
     Log(LogError),
     /// A lesson, or a figure of it.
     Lesson(Box<LessonError>),
+    /// A book whose directives cannot be followed.
+    Book(Box<BookError>),
     /// Figures that are not what would be drawn: a check that failed.
     Stale {
         /// Each with what is the matter with it.
@@ -167,6 +169,7 @@ impl fmt::Display for Error {
             Self::Load(error) => error.fmt(f),
             Self::Log(error) => error.fmt(f),
             Self::Lesson(error) => error.fmt(f),
+            Self::Book(error) => error.fmt(f),
             Self::Stale { stale, of, out } => write!(
                 f,
                 "{}\n{} of the {of} figures are not what is drawn today\n  draw them again: raystep figures --out {out}",
@@ -308,5 +311,11 @@ impl From<LessonError> for Error {
             LessonError::Log(error) => Self::Log(error),
             other => Self::Lesson(Box::new(other)),
         }
+    }
+}
+
+impl From<BookError> for Error {
+    fn from(error: BookError) -> Self {
+        Self::Book(Box::new(error))
     }
 }

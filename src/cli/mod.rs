@@ -8,6 +8,7 @@ mod error;
 mod figure;
 mod figures;
 mod input;
+mod mdbook;
 mod output;
 mod pixel;
 mod progress;
@@ -41,6 +42,7 @@ pub(crate) fn run(arguments: impl Iterator<Item = OsString>) -> Result<ExitCode,
         Verb::Convert(args) => convert::run(&args),
         Verb::Schema(args) => schema::run(&args),
         Verb::Completions(args) => completions::run(&args),
+        Verb::Mdbook(args) => return mdbook::run(&args),
     };
     done.map(|()| ExitCode::SUCCESS)
 }

@@ -1,8 +1,8 @@
-//! The arguments of the verbs that draw figures.
+//! The arguments of the verbs that draw figures, and of the preprocessor that puts them into a book.
 
 use std::path::PathBuf;
 
-use clap::{Args as ClapArgs, ValueEnum};
+use clap::{Args as ClapArgs, Subcommand, ValueEnum};
 use raystep::FigureName;
 
 /// How a figure is drawn.
@@ -85,4 +85,32 @@ pub(crate) struct FiguresArgs {
     /// How they are drawn.
     #[command(flatten)]
     pub(crate) drawing: Drawing,
+}
+
+/// The preprocessor of mdBook.
+#[derive(Debug, ClapArgs)]
+#[command(after_help = "In book.toml:
+  [preprocessor.raystep]
+  lessons = \"lessons\"
+  before = [\"links\"]
+
+In a chapter:
+  {{#raystep 12-grid/walk}}                      the figure
+  {{#raystep-log 12-grid/walk only=cell}}        its worked solution
+  {{#raystep-value 12-grid/walk cell.count}}     a number, in running prose
+  {{#raystep-compare 12-grid/walk}}              what each strategy costs")]
+pub(crate) struct MdbookArgs {
+    /// What mdBook asks before; without it a book is read from standard input.
+    #[command(subcommand)]
+    pub(crate) verb: Option<MdbookVerb>,
+}
+
+/// What mdBook asks before.
+#[derive(Debug, Subcommand)]
+pub(crate) enum MdbookVerb {
+    /// Is there something for this renderer? Exit 0 for yes.
+    Supports {
+        /// Its name
+        renderer: String,
+    },
 }

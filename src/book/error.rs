@@ -1,0 +1,79 @@
+//! What is wrong in a book, with its chapter and line.
+
+use std::fmt;
+
+use crate::lesson::LessonError;
+
+/// A directive that cannot be followed.
+#[derive(Debug)]
+pub struct BookMistake {
+    /// The chapter's file, counted from the book's source folder.
+    pub chapter: String,
+    /// The line of the directive, counted from 1.
+    pub line: usize,
+    /// The directive as it stands there.
+    pub directive: String,
+    /// What is wrong, and what to do about it.
+    pub what: String,
+}
+
+/// Why a book cannot be made.
+#[derive(Debug)]
+pub enum BookError {
+    /// What mdBook handed over cannot be read.
+    Protocol(String),
+    /// The settings in `book.toml` make no sense.
+    Settings(String),
+    /// The lessons cannot be read.
+    Lessons(Box<LessonError>),
+    /// Directives that cannot be followed: all of them, in the order of the book.
+    Directives(Vec<BookMistake>),
+}
+
+impl fmt::Display for BookMistake {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self {
+            chapter,
+            line,
+            directive,
+            what,
+        } = self;
+        write!(f, "{chapter}, line {line}: {directive}: {what}")
+    }
+}
+
+impl fmt::Display for BookError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Protocol(why) => write!(
+                f,
+                "what mdBook handed over cannot be read: {why}\n  this verb is called by mdBook: put \
+                 [preprocessor.raystep] into book.toml and run mdbook build"
+            ),
+            Self::Settings(why) => write!(
+                f,
+                "book.toml, at preprocessor.raystep: {why}\n  it may have \"lessons\", the folder of the lessons, \
+                 counted from book.toml"
+            ),
+            Self::Lessons(error) => match &**error {
+                LessonError::Folder { folder, source } => {
+                    let why = source
+                        .as_ref()
+                        .map_or("there is no lesson in it".into(), ToString::to_string);
+                    write!(
+                        f,
+                        "book.toml, at preprocessor.raystep.lessons: {folder}: {why}\n  name the folder of the lessons, \
+                         counted from book.toml; a lesson is a folder with a lesson.json"
+                    )
+                }
+                other => other.fmt(f),
+            },
+            Self::Directives(mistakes) => {
+                let lines: Vec<String> = mistakes.iter().map(ToString::to_string).collect();
+                f.write_str(&lines.join("\n"))
+            }
+        }
+    }
+}
+
+impl std::error::Error for BookError {}

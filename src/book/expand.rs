@@ -1,0 +1,308 @@
+//! What comes into a chapter in the place of a directive.
+
+use std::collections::{HashMap, HashSet};
+use std::sync::Arc;
+
+use crate::book::directive::{Asks, Directive};
+use crate::book::html::{escaped, one_line, prose};
+use crate::book::value::value;
+use crate::explain::{WorkedOptions, worked_solution};
+use crate::figure::FigureSpec;
+use crate::figure::{Rendition, Traced, Width};
+use crate::lesson::{FigureName, Lesson, Library, compare};
+use crate::scene::nearest_name;
+use crate::trace::{Kind, Kinds};
+
+/// Follows directives; what a figure is drawn from is traced once for all that name it.
+pub(super) struct Expander<'a> {
+    library: &'a Library,
+    /// The folder of the lessons as it is written in commands.
+    lessons: Option<String>,
+    traced: HashMap<FigureName, Arc<Vec<Traced>>>,
+    /// The ids that were given, in all chapters: a book may have them all on one page.
+    ids: HashSet<String>,
+}
+
+/// A figure that a directive names.
+struct Named<'a> {
+    name: FigureName,
+    lesson: &'a Lesson,
+    spec: &'a FigureSpec,
+    traced: Arc<Vec<Traced>>,
+}
+
+impl<'a> Expander<'a> {
+    pub(super) fn new(library: &'a Library, lessons: Option<String>) -> Self {
+        Self {
+            library,
+            lessons,
+            traced: HashMap::new(),
+            ids: HashSet::new(),
+        }
+    }
+
+    /// What stands in the place of the directive.
+    ///
+    /// # Errors
+    /// What is wrong, and what to do about it.
+    pub(super) fn expand(
+        &mut self,
+        directive: &Directive,
+        chapter: &str,
+    ) -> Result<String, String> {
+        if !directive.ends {
+            return Err("it has no end\n  close it with }} on the same line".into());
+        }
+        let asks = asks(&directive.word)?;
+        let (name, words) = directive
+            .words
+            .split_first()
+            .ok_or("a figure is to be named\n  as in {{#raystep 12-grid/walk}}")?;
+        let named = self.named(name)?;
+        if asks == Asks::Value {
+            return in_prose(&named, words);
+        }
+        let goes_on = directive
+            .alone
+            .as_ref()
+            .ok_or("it makes a block\n  give it a line of its own")?;
+        let html = match asks {
+            Asks::Figure => self.figure(&named, words, chapter)?,
+            Asks::Log => log(&named, words)?,
+            Asks::Compare => table(&named, words)?,
+            Asks::Value => return Ok(String::new()),
+        };
+        Ok(format!("{html}{goes_on}"))
+    }
+
+    fn named(&mut self, name: &str) -> Result<Named<'a>, String> {
+        let name: FigureName = name.parse().map_err(|why: String| {
+            let known = self.library.figures();
+            let known: Vec<String> = known.iter().map(ToString::to_string).collect();
+            match nearest_name(name, known.iter().map(String::as_str)) {
+                Some(near) => format!("{name:?} is no figure\n  did you mean {near}?"),
+                None => format!("{name:?} is no figure\n  {why}"),
+            }
+        })?;
+        let (lesson, spec) = self
+            .library
+            .find(&name)
+            .map_err(|error| error.to_string())?;
+        let traced = match self.traced.get(&name) {
+            Some(traced) => Arc::clone(traced),
+            None => {
+                let traced = lesson.trace(&name.figure, spec);
+                let traced = Arc::new(traced.map_err(|error| error.to_string())?);
+                self.traced.insert(name.clone(), Arc::clone(&traced));
+                traced
+            }
+        };
+        Ok(Named {
+            name,
+            lesson,
+            spec,
+            traced,
+        })
+    }
+
+    fn figure(&mut self, named: &Named, words: &[String], chapter: &str) -> Result<String, String> {
+        let mut up_to = None;
+        for word in words {
+            match word.split_once('=') {
+                Some(("step", _)) if up_to.is_some() => {
+                    return Err("step is given twice\n  give it once".into());
+                }
+                Some(("step", number)) => up_to = Some(whole_number("step", number)?),
+                _ => return Err(unknown_option(word, &["step=N"])),
+            }
+        }
+        let Named {
+            name,
+            lesson,
+            spec,
+            traced,
+        } = named;
+        let id = self.id(chapter, name);
+        let rendition = Rendition {
+            up_to,
+            ..Rendition::default()
+        };
+        let drawn = lesson.draw(&name.figure, spec, traced, &id, (Width::Book, rendition));
+        let drawn = drawn.map_err(|error| error.to_string())?;
+        let mut command = format!("raystep figure {name}");
+        if let Some(step) = up_to {
+            command = format!("{command} --step {step}");
+        }
+        if let Some(lessons) = &self.lessons {
+            command = format!("{command} --lessons {}", quoted(lessons));
+        }
+        Ok(format!(
+            "<figure class=\"raystep\" id=\"{id}_figure\">{}<figcaption>{} <code>{}</code></figcaption></figure>",
+            one_line(&drawn.svg),
+            escaped(&spec.caption),
+            escaped(&command)
+        ))
+    }
+
+    /// The chapter and the figure, and a number if that was given before.
+    fn id(&mut self, chapter: &str, name: &FigureName) -> String {
+        let id = word(&format!(
+            "raystep-{chapter}-{}-{}",
+            name.lesson, name.figure
+        ));
+        // no word has a _, so that no number and no part of a drawing makes the id of another figure
+        let numbered = (2..).map(|number| format!("{id}_{number}"));
+        let mut all = std::iter::once(id.clone()).chain(numbered);
+        let free = all.find(|id| !self.ids.contains(id)).unwrap_or(id);
+        self.ids.insert(free.clone());
+        free
+    }
+}
+
+fn first<'a>(named: &'a Named) -> Result<&'a Traced, String> {
+    let first = named.traced.first();
+    first.ok_or_else(|| "this figure has no trace\n  name another one".into())
+}
+
+/// A value in running text.
+fn in_prose(named: &Named, words: &[String]) -> Result<String, String> {
+    let [path] = words else {
+        return Err(
+            "a value is named by one path\n  as in {{#raystep-value 12-grid/walk cell.count}}"
+                .into(),
+        );
+    };
+    let first = first(named)?;
+    let value = value(first, named.spec.traced_pixels().first().copied(), path)?;
+    Ok(prose(&value))
+}
+
+/// The directive that a word means.
+fn asks(word: &str) -> Result<Asks, String> {
+    if let Some(asks) = Asks::ALL.into_iter().find(|asks| asks.name() == word) {
+        return Ok(asks);
+    }
+    let names = Asks::ALL.map(Asks::name);
+    let fix = match nearest_name(word, names.into_iter()) {
+        Some(near) => format!("did you mean {near}?"),
+        None => format!("there are {}", names.join(", ")),
+    };
+    Err(format!("there is no directive {word:?}\n  {fix}"))
+}
+
+fn unknown_option(word: &str, known: &[&str]) -> String {
+    let known = known.join(", ");
+    format!("{word:?} is none of its options\n  they are {known}")
+}
+
+fn whole_number(option: &str, text: &str) -> Result<u32, String> {
+    let number = text.parse();
+    number.map_err(|_| format!("{option}={text} is no whole number\n  as in {option}=12"))
+}
+
+/// A path as a shell reads it.
+fn quoted(path: &str) -> String {
+    let plain = |c: char| c.is_ascii_alphanumeric() || "._/-".contains(c);
+    if path.chars().all(plain) {
+        return path.into();
+    }
+    format!("'{}'", path.replace('\'', "'\\''"))
+}
+
+/// Letters, digits and `-`: what an id may have.
+pub(super) fn word(text: &str) -> String {
+    let letters = text
+        .chars()
+        .map(|c| if c.is_ascii_alphanumeric() { c } else { '-' });
+    letters.collect()
+}
+
+/// The worked solution of the figure's pixel.
+fn log(named: &Named, words: &[String]) -> Result<String, String> {
+    const OPTIONS: [&str; 3] = ["only=KIND,KIND", "ray=N", "all"];
+    let mut options = WorkedOptions::default();
+    for word in words {
+        match word.split_once('=') {
+            Some(("only", kinds)) => options.kinds = only(kinds)?,
+            Some(("ray", number)) => options.ray = Some(whole_number("ray", number)?),
+            None if word == "all" => options.all = true,
+            _ => return Err(unknown_option(word, &OPTIONS)),
+        }
+    }
+    let traced = first(named)?;
+    let pixel = named.spec.traced_pixels().first().copied();
+    let records: Vec<_> = traced
+        .records
+        .iter()
+        .filter(|record| record.pixel.is_none() || record.pixel == pixel)
+        .copied()
+        .collect();
+    let has = |ray: u32| records.iter().any(|record| record.ray == Some(ray));
+    if let Some(ray) = options.ray.filter(|&ray| !has(ray)) {
+        let last = records.iter().filter_map(|record| record.ray).max();
+        return Err(match last {
+            Some(last) => format!("the pixel has no ray {ray}\n  its rays are 0 to {last}"),
+            None => "this figure has no pixel with rays\n  name a figure with a \"pixel\"".into(),
+        });
+    }
+    // of this pixel everything was kept
+    let settings = crate::trace::Settings {
+        only: None,
+        ..traced.settings.clone()
+    };
+    let text = worked_solution(&traced.scene, &settings, &records, &options);
+    Ok(format!(
+        "<pre class=\"raystep-log\"><code class=\"language-plaintext\">{}</code></pre>",
+        escaped(text.trim_end())
+    ))
+}
+
+/// Kinds of event by their names.
+fn only(names: &str) -> Result<Kinds, String> {
+    let mut kinds = Vec::new();
+    for name in names.split(',') {
+        let known = Kind::ALL.map(Kind::name);
+        let kind =
+            Kind::named(name).ok_or_else(|| match nearest_name(name, known.into_iter()) {
+                Some(near) => format!("there is no kind {name:?}\n  did you mean {near}?"),
+                None => format!(
+                    "there is no kind {name:?}\n  the kinds are {}",
+                    known.join(", ")
+                ),
+            })?;
+        kinds.push(kind);
+    }
+    Ok(Kinds::of(&kinds))
+}
+
+/// What every strategy costs on the figure's pixel, or on its picture.
+fn table(named: &Named, words: &[String]) -> Result<String, String> {
+    let mut pixel = named.spec.traced_pixels().first().copied();
+    for word in words {
+        match word.as_str() {
+            "picture" => pixel = None,
+            _ => return Err(unknown_option(word, &["picture"])),
+        }
+    }
+    let traced = first(named)?;
+    let comparison = compare(&traced.scene, &traced.settings, pixel, |_| {});
+    let rows = comparison.rows();
+    let row = |cells: &[String], tag: &str| {
+        let cells = cells.iter().enumerate().map(|(place, cell)| {
+            let align = if place == 0 {
+                ""
+            } else {
+                " style=\"text-align: right\""
+            };
+            format!("<{tag}{align}>{}</{tag}>", escaped(cell))
+        });
+        format!("<tr>{}</tr>", cells.collect::<String>())
+    };
+    let (head, body) = rows.split_first().ok_or("there is nothing to compare")?;
+    let body: String = body.iter().map(|cells| row(cells, "td")).collect();
+    Ok(format!(
+        "<div class=\"table-wrapper\"><table class=\"raystep-compare\"><caption>{}</caption><thead>{}</thead><tbody>{body}</tbody></table></div>",
+        escaped(&comparison.title()),
+        row(head, "th")
+    ))
+}

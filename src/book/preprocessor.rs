@@ -1,0 +1,142 @@
+//! The protocol between mdBook and this program: a book goes in, the same book with its directives followed comes out.
+
+use std::io::Read;
+use std::path::{Path, PathBuf};
+
+use mdbook_preprocessor::book::{Book, Chapter};
+use mdbook_preprocessor::{MDBOOK_VERSION, PreprocessorContext, parse_input};
+use serde::Deserialize;
+
+use crate::book::directive::directives;
+use crate::book::expand::{Expander, word};
+use crate::book::{BookError, BookMistake};
+use crate::lesson::Library;
+
+/// What `book.toml` says below `[preprocessor.raystep]`; the other keys are mdBook's own.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Deserialize)]
+#[serde(deny_unknown_fields, rename_all = "kebab-case")]
+pub struct BookOptions {
+    /// The folder of the lessons, counted from that of `book.toml`.
+    pub lessons: Option<PathBuf>,
+    /// mdBook's: the command that is called.
+    #[serde(default)]
+    command: Option<String>,
+    /// mdBook's: for which renderers.
+    #[serde(default)]
+    renderers: Option<Vec<String>>,
+    /// mdBook's: before which preprocessors.
+    #[serde(default)]
+    before: Option<Vec<String>>,
+    /// mdBook's: after which preprocessors.
+    #[serde(default)]
+    after: Option<Vec<String>>,
+    /// mdBook's: whether the book can do without.
+    #[serde(default)]
+    optional: Option<bool>,
+}
+
+/// Where lessons are looked for if nothing is said, here and on the command line.
+const LESSONS: &str = "lessons";
+
+/// A book with its directives followed.
+#[derive(Clone, Debug)]
+pub struct Preprocessed {
+    /// As mdBook reads it: JSON.
+    pub book: String,
+    /// What is to be told and stops nothing.
+    pub notes: Vec<String>,
+}
+
+/// Reads what mdBook hands over and follows every directive of the book. Nothing is written anywhere.
+///
+/// # Errors
+/// Input that is not mdBook's, settings that make no sense, lessons that cannot be read, or directives that cannot be
+/// followed: all of those, each with its chapter and line.
+pub fn preprocess(input: impl Read) -> Result<Preprocessed, BookError> {
+    let parsed = parse_input(input);
+    let (context, mut book) = parsed.map_err(|error| BookError::Protocol(format!("{error:#}")))?;
+    let options: Option<BookOptions> = context
+        .config
+        .get("preprocessor.raystep")
+        .map_err(|error| BookError::Settings(format!("{error:#}")))?;
+    let options = options.unwrap_or_default();
+    let given = options.lessons.clone();
+    let folder = context
+        .root
+        .join(given.as_deref().unwrap_or(Path::new(LESSONS)));
+    let mut notes: Vec<String> = version_note(&context).into_iter().collect();
+
+    // a book without directives needs no lessons
+    let asks = book
+        .chapters()
+        .any(|chapter| !directives(&chapter.content).is_empty());
+    if asks {
+        let library =
+            Library::open(&folder).map_err(|error| BookError::Lessons(Box::new(error)))?;
+        // the command line looks there by itself
+        let other = given.filter(|given| given != Path::new(LESSONS));
+        let lessons = other.map(|given| given.display().to_string());
+        let mistakes = follow(&mut book, &mut Expander::new(&library, lessons));
+        if !mistakes.is_empty() {
+            return Err(BookError::Directives(mistakes));
+        }
+    }
+    let before = options.before.unwrap_or_default();
+    let escapes = |chapter: &Chapter| chapter.content.contains("\\{{#raystep");
+    if !before.iter().any(|name| name == "links") && book.chapters().any(escapes) {
+        notes.push(
+            "book.toml: add before = [\"links\"] to [preprocessor.raystep]: mdBook's own preprocessor takes \
+             the backslash from \\{{#raystep …}} otherwise"
+                .into(),
+        );
+    }
+    let book =
+        serde_json::to_string(&book).map_err(|error| BookError::Protocol(error.to_string()))?;
+    Ok(Preprocessed { book, notes })
+}
+
+/// Follows the directives of all chapters, sub-chapters included.
+fn follow(book: &mut Book, expander: &mut Expander) -> Vec<BookMistake> {
+    let mut mistakes = Vec::new();
+    book.for_each_chapter_mut(|chapter| {
+        let file = chapter.source_path.as_ref().or(chapter.path.as_ref());
+        let file = file.map_or_else(|| chapter.name.clone(), |path| path.display().to_string());
+        let slug = word(file.trim_end_matches(".md"));
+        let content = &chapter.content;
+        let mut followed = String::with_capacity(content.len());
+        let mut copied = 0;
+        for directive in directives(content) {
+            followed.push_str(&content[copied..directive.range.start]);
+            copied = directive.range.end;
+            match expander.expand(&directive, &slug) {
+                Ok(text) => followed.push_str(&text),
+                Err(what) => mistakes.push(BookMistake {
+                    chapter: file.clone(),
+                    line: directive.line,
+                    directive: content[directive.range].into(),
+                    what,
+                }),
+            }
+        }
+        followed.push_str(&content[copied..]);
+        chapter.content = followed;
+    });
+    mistakes
+}
+
+/// mdBook's protocol may change with every 0.x.
+fn version_note(context: &PreprocessorContext) -> Option<String> {
+    let series = |version: &str| {
+        version
+            .split('.')
+            .take(2)
+            .map(String::from)
+            .collect::<Vec<_>>()
+    };
+    (series(&context.mdbook_version) != series(MDBOOK_VERSION)).then(|| {
+        format!(
+            "this raystep was made for mdBook {MDBOOK_VERSION}, and is called by {}: it may not fit",
+            context.mdbook_version
+        )
+    })
+}

@@ -1,0 +1,26 @@
+//! `raystep mdbook`: the preprocessor, as mdBook calls it.
+
+use std::io::{self, Write};
+use std::process::ExitCode;
+
+use raystep::preprocess;
+
+use crate::cli::Error;
+use crate::cli::args::{MdbookArgs, MdbookVerb};
+use crate::cli::output::Output;
+
+/// Follows the directives of the book on standard input, or says whether a renderer is supported.
+pub(crate) fn run(args: &MdbookArgs) -> Result<ExitCode, Error> {
+    if let Some(MdbookVerb::Supports { renderer }) = &args.verb {
+        // what comes into the book is HTML
+        let supported = renderer == "html";
+        return Ok(ExitCode::from(u8::from(!supported)));
+    }
+    let done = preprocess(io::stdin().lock())?;
+    for note in &done.notes {
+        // a note that nobody can read stops nothing
+        let _ = writeln!(io::stderr(), "note: {note}");
+    }
+    Output::standard().write_whole(done.book.as_bytes())?;
+    Ok(ExitCode::SUCCESS)
+}

@@ -1,0 +1,337 @@
+//! A book of two chapters, made with mdBook itself and this program as its preprocessor.
+
+use std::fs;
+use std::io::Write;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output, Stdio};
+
+use mdbook_driver::MDBook;
+use roxmltree::Document;
+use serde_json::{Value, json};
+
+/// A ball of radius 1 whose centre lies 5 before the eye: the middle ray meets it at t = 4 and t = 6, and
+/// with a = 1, b = −10 and c = 24 its discriminant is 100 − 96 = 4.
+const SCENE: &str = r#"{
+  "name": "one ball",
+  "camera": { "look_at": { "cop": [0, 0, 0], "target": [0, 0, -1], "up": [0, 1, 0], "fov_degrees": 40 },
+              "pixels": [9, 9] },
+  "materials": { "red": { "colour": [0.8, 0.2, 0.2], "diffuse": 0.7 } },
+  "objects": [ { "name": NAME, "material": "red", "shape": { "sphere": { "center": [0, 0, -5], "radius": 1 } } } ]
+}"#;
+
+const LESSON: &str = r#"{ "title": "A ball", "figures": { "hit": {
+  "kind": "rays", "scene": "scene.json", "pixel": [4, 4], "caption": "Rays & <balls>",
+  "show": ["objects", "names", "eye", "ray", "hits", "image"] } } }"#;
+
+const FIRST: &str = r"# One
+
+The discriminant is {{#raystep-value 01-ball/hit sphere_test[0].discriminant}}, in {{#raystep-value 01-ball/hit sphere_test.count}} test.
+
+{{#raystep 01-ball/hit}}
+Text follows *at once*.
+
+- item
+- {{#raystep 01-ball/hit}}
+- last *item*
+
+> {{#raystep-log 01-ball/hit only=sphere_test}}
+> after *the log*
+
+`{{#raystep 01-ball/hit}}` and \{{#raystep 01-ball/hit}}
+
+```text
+{{#raystep 01-ball/hit}}
+```
+";
+
+const SECOND: &str = "# Two\n\n{{#raystep-compare 01-ball/hit}}\n\n{{#raystep 01-ball/hit}}\n";
+
+/// A book in a folder of its own.
+struct TestBook(tempfile::TempDir);
+
+impl TestBook {
+    fn new(first: &str, object: &str) -> Self {
+        let folder = tempfile::tempdir().unwrap();
+        let write = |file: &str, text: &str| {
+            let path = folder.path().join(file);
+            fs::create_dir_all(path.parent().unwrap()).unwrap();
+            fs::write(path, text).unwrap();
+        };
+        let command = format!("{} mdbook", env!("CARGO_BIN_EXE_raystep"));
+        write(
+            "book.toml",
+            &format!(
+                "[book]\ntitle = \"test\"\n[preprocessor.raystep]\ncommand = '{command}'\n\
+                 lessons = \"course\"\nbefore = [\"links\"]\n"
+            ),
+        );
+        let name = Value::from(object).to_string();
+        write("course/01-ball/scene.json", &SCENE.replace("NAME", &name));
+        write("course/01-ball/lesson.json", LESSON);
+        write(
+            "src/SUMMARY.md",
+            "# Summary\n\n- [One](one.md)\n  - [Two](below/two.md)\n",
+        );
+        write("src/one.md", first);
+        write("src/below/two.md", SECOND);
+        Self(folder)
+    }
+
+    fn build(&self) -> Result<(), String> {
+        let book = MDBook::load(self.0.path()).unwrap();
+        book.build().map_err(|error| format!("{error:#}"))
+    }
+
+    fn page(&self, file: &str) -> String {
+        fs::read_to_string(self.0.path().join("book").join(file)).unwrap()
+    }
+
+    /// All files of the book's source.
+    fn source(&self) -> Vec<(PathBuf, String)> {
+        let mut found = Vec::new();
+        for folder in ["src", "src/below", "course/01-ball"] {
+            for entry in fs::read_dir(self.0.path().join(folder)).unwrap() {
+                let path = entry.unwrap().path();
+                if path.is_file() {
+                    found.push((path.clone(), fs::read_to_string(path).unwrap()));
+                }
+            }
+        }
+        found.sort();
+        found
+    }
+
+    /// Hands the first chapter to the preprocessor as mdBook does.
+    fn preprocess(&self, version: &str) -> Output {
+        let content = fs::read_to_string(self.0.path().join("src/one.md")).unwrap();
+        let chapter = json!({ "Chapter": {
+            "name": "One", "content": content, "number": [1], "sub_items": [],
+            "path": "one.md", "source_path": "one.md", "parent_names": [] } });
+        let context = json!({
+            "root": self.0.path(), "renderer": "html", "mdbook_version": version,
+            "config": { "preprocessor": { "raystep": { "lessons": "course", "before": ["links"] } } } });
+        mdbook_verb(&json!([context, { "items": [chapter] }]).to_string())
+    }
+}
+
+fn mdbook_verb(input: &str) -> Output {
+    let mut child = Command::new(env!("CARGO_BIN_EXE_raystep"))
+        .arg("mdbook")
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    child
+        .stdin
+        .take()
+        .unwrap()
+        .write_all(input.as_bytes())
+        .unwrap();
+    child.wait_with_output().unwrap()
+}
+
+/// The drawings of a page, each of which must be XML.
+fn drawings(page: &str) -> Vec<String> {
+    let mut found = Vec::new();
+    let mut rest = page;
+    while let Some(start) = rest.find("<svg aria-labelledby") {
+        let end = start + rest[start..].find("</svg>").unwrap() + "</svg>".len();
+        let svg = &rest[start..end];
+        Document::parse(svg).unwrap_or_else(|error| panic!("{error}: {svg}"));
+        found.push(svg.to_owned());
+        rest = &rest[end..];
+    }
+    found
+}
+
+#[test]
+fn a_book_with_all_four_directives_is_built() {
+    let book = TestBook::new(FIRST, "A");
+    let before = book.source();
+    book.build().unwrap();
+    assert_eq!(
+        book.source(),
+        before,
+        "the source of a book is not written to"
+    );
+
+    let one = book.page("one.html");
+    assert!(one.contains("The discriminant is 4, in 1 test."), "{one}");
+    assert!(
+        one.contains("b² - 4ac = 100 - 96 = 4 &gt; 0: two real roots"),
+        "{one}"
+    );
+    assert!(one.contains("<figcaption>Rays &amp; &lt;balls&gt; <code>raystep figure 01-ball/hit --lessons course</code>"));
+    // what follows a block is Markdown again, and code is left alone
+    assert!(one.contains("Text follows <em>at once</em>."), "{one}");
+    assert!(
+        one.contains("last <em>item</em>") && one.contains("after <em>the log</em>"),
+        "{one}"
+    );
+    assert_eq!(one.matches("{{#raystep 01-ball/hit}}").count(), 3, "{one}");
+    let item = one.split("<li>").nth(2).unwrap();
+    assert!(
+        item.contains("<figure") && item.find("</figure>") < item.find("</li>"),
+        "{one}"
+    );
+    let quote = one.split("<blockquote>").nth(1).unwrap();
+    assert!(quote.find("</pre>") < quote.find("</blockquote>"), "{one}");
+
+    let two = book.page("below/two.html");
+    assert!(
+        two.contains("<table class=\"raystep-compare\">") && two.contains(">exhaustive</td>"),
+        "{two}"
+    );
+
+    assert_eq!((drawings(&one).len(), drawings(&two).len()), (2, 1));
+    let print = book.page("print.html");
+    assert_eq!(drawings(&print).len(), 3);
+    let ids = |page: &str| {
+        let ids = page
+            .split(" id=\"")
+            .skip(1)
+            .map(|rest| rest.split('"').next().unwrap().to_owned());
+        ids.filter(|id| id.contains("raystep")).collect::<Vec<_>>()
+    };
+    for page in [&one, &two, &print] {
+        let mut all = ids(page);
+        let count = all.len();
+        assert!(0 < count);
+        all.sort();
+        all.dedup();
+        assert_eq!(all.len(), count, "an id comes twice");
+    }
+}
+
+#[test]
+fn a_broken_directive_fails_the_build_with_chapter_and_line() {
+    for (directive, says) in [
+        ("{{#raystep 01-ball/hti}}", "did you mean 01-ball/hit?"),
+        ("{{#raystep 1-ball/hit}}", "did you mean 01-ball/hit?"),
+        ("{{#raystep hit}}", "as in 12-grid/walk"),
+        ("{{#raystep}}", "a figure is to be named"),
+        (
+            "{{#raystep-vlaue 01-ball/hit t}}",
+            "did you mean raystep-value?",
+        ),
+        ("{{#raystep-value 01-ball/hit}}", "one path"),
+        (
+            "{{#raystep-value 01-ball/hit sphere_tset[0].a}}",
+            "did you mean sphere_test?",
+        ),
+        (
+            "{{#raystep-value 01-ball/hit sphere_test[7].a}}",
+            "the places are 0 to 0",
+        ),
+        (
+            "{{#raystep-value 01-ball/hit sphere_test}}",
+            "sphere_test.count",
+        ),
+        ("{{#raystep 01-ball/hit stpe=3}}", "step=N"),
+        ("{{#raystep 01-ball/hit step=x}}", "no whole number"),
+        (
+            "{{#raystep-log 01-ball/hit only=sphere}}",
+            "did you mean sphere_test?",
+        ),
+        ("{{#raystep-log 01-ball/hit ray=9}}", "its rays are 0 to 0"),
+        ("{{#raystep-compare 01-ball/hit all}}", "picture"),
+        ("{{#raystep 01-ball/hit", "it has no end"),
+        ("see {{#raystep 01-ball/hit}}", "a line of its own"),
+    ] {
+        let first = format!("# One\n\ntext\n\n{directive}\n");
+        let book = TestBook::new(&first, "A");
+        let out = book.preprocess("0.5.4");
+        let told = String::from_utf8(out.stderr).unwrap();
+        assert_eq!(out.status.code(), Some(2), "{directive}: {told}");
+        assert!(out.stdout.is_empty(), "{directive}");
+        assert!(told.contains("one.md, line 5: "), "{directive}: {told}");
+        assert!(told.contains(says), "{directive}: {told}");
+    }
+    let book = TestBook::new("{{#raystep 01-ball/hti}}\n", "A");
+    book.build().unwrap_err();
+    assert!(!Path::new(&book.0.path().join("book/one.html")).exists());
+}
+
+#[test]
+fn every_broken_directive_is_told_at_once() {
+    let book = TestBook::new("{{#raystep a/b}}\n\n{{#raystep c/d}}\n", "A");
+    let told = String::from_utf8(book.preprocess("0.5.4").stderr).unwrap();
+    assert!(
+        told.contains("one.md, line 1: ") && told.contains("one.md, line 3: "),
+        "{told}"
+    );
+}
+
+#[test]
+fn names_that_look_like_markup_come_out_as_text() {
+    let long = "n".repeat(300);
+    for name in [
+        "</svg><script>alert(1)</script>",
+        "{{#include /etc/hostname}}",
+        "a\u{1}b\u{7f}\u{202e}c\u{200f}",
+        "\u{5d0}\u{5d1}\u{5d2} `*_[x](y)",
+        &long,
+    ] {
+        let book = TestBook::new(FIRST, name);
+        book.build().unwrap();
+        let one = book.page("one.html");
+        assert!(!one.contains("<script>alert"), "{name}");
+        assert!(!one.contains(['\u{1}', '\u{202e}', '\u{200f}']), "{name:?}");
+        assert_eq!(drawings(&one).len(), 2, "{name}");
+        if name.starts_with("{{") {
+            assert!(one.contains("{{#include /etc/hostname}}: sphere"), "{one}");
+        }
+    }
+}
+
+#[test]
+fn another_version_of_mdbook_is_told_and_stops_nothing() {
+    let book = TestBook::new(FIRST, "A");
+    let told = |version| {
+        let out = book.preprocess(version);
+        assert!(out.status.success());
+        String::from_utf8(out.stderr).unwrap()
+    };
+    assert_eq!(told("0.5.9"), "");
+    assert!(told("0.4.52").contains("called by 0.4.52"));
+}
+
+#[test]
+fn html_is_supported_and_nothing_else() {
+    for (renderer, code) in [("html", 0), ("markdown", 1)] {
+        let status = Command::new(env!("CARGO_BIN_EXE_raystep"))
+            .args(["mdbook", "supports", renderer])
+            .status();
+        assert_eq!(status.unwrap().code(), Some(code), "{renderer}");
+    }
+}
+
+#[test]
+fn input_that_is_not_mdbooks_is_refused() {
+    for input in ["", "{}", "[1, 2]", "[{}, {\"items\": []}]"] {
+        let out = mdbook_verb(input);
+        let told = String::from_utf8(out.stderr).unwrap();
+        assert_eq!(out.status.code(), Some(2), "{input}");
+        assert!(
+            told.contains("cannot be read") && told.contains("mdbook build"),
+            "{told}"
+        );
+    }
+}
+
+#[test]
+fn a_note_tells_how_to_keep_what_is_escaped() {
+    let context = json!({
+        "root": "/", "renderer": "html", "mdbook_version": "0.5.4",
+        "config": { "preprocessor": { "raystep": {} } } });
+    let chapter = json!({ "Chapter": {
+        "name": "One", "content": "\\{{#raystep a/b}}", "number": null, "sub_items": [],
+        "path": "one.md", "source_path": "one.md", "parent_names": [] } });
+    let out = mdbook_verb(&json!([context, { "items": [chapter] }]).to_string());
+    let told = String::from_utf8(out.stderr).unwrap();
+    assert!(
+        out.status.success() && told.contains("before = [\"links\"]"),
+        "{told}"
+    );
+}
