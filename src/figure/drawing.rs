@@ -46,16 +46,14 @@ pub fn draw(
     };
     is_whole(spec, traced)?;
     let kind = kind(spec.kind);
-    for layer in &spec.show {
-        if !kind.layers.contains(layer) && *layer != Layer::Image {
-            let layers = kind.layers.iter().chain([&Layer::Image]);
-            let has: Vec<String> = layers.map(|of| of.name()).collect();
-            return Err(FigureError::new(
-                "show",
-                format!("this kind of figure has nothing called {}", layer.name()),
-                format!("choose among {}", has.join(", ")),
-            ));
-        }
+    let layers = || kind.usual.iter().chain(kind.more).chain([&Layer::Image]);
+    if let Some(layer) = spec.show.iter().find(|of| !layers().any(|has| has == *of)) {
+        let has: Vec<String> = layers().map(|of| of.name()).collect();
+        return Err(FigureError::new(
+            "show",
+            format!("this kind of figure has nothing called {}", layer.name()),
+            format!("choose among {}", has.join(", ")),
+        ));
     }
     let figure = Figure {
         spec,

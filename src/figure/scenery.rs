@@ -66,6 +66,17 @@ pub(super) fn some_objects(
     }
 }
 
+/// All objects, those that rays have met marked if hits are shown.
+pub(super) fn objects_met(figure: &Figure, sheet: &mut Sheet, stage: &Stage, met: &[PrimitiveId]) {
+    objects(figure, sheet, stage, |id| {
+        if met.contains(&id) && figure.shows(Layer::Hits) {
+            Look::HIT
+        } else {
+            Look::OBJECT
+        }
+    });
+}
+
 /// The names of all objects, each once, in or beside its outline.
 pub(super) fn names(figure: &Figure, sheet: &mut Sheet, stage: &Stage) {
     names_of(figure, sheet, stage, |_| true);

@@ -5,7 +5,7 @@ use crate::lesson::LessonError;
 use crate::scene::Loaded;
 use crate::strategy::{Chosen, Strategy};
 use crate::structure::{StructureOptions, VolumeKind};
-use crate::trace::{Kind, Kinds, Record, Recorder, Recording, Settings, Sink, StrategyName};
+use crate::trace::{Kind, Kinds, Record, Recording, Settings, Sink, StrategyName};
 use crate::tracer::{Tracer, trace_pixel};
 
 /// The most pixels that a figure's picture may have: all are traced, and each is a square.
@@ -94,7 +94,7 @@ pub fn trace_figure(
             whole: &whole,
             of_every: Kinds::of(kept),
         });
-        note_building(&chosen, &mut recording);
+        chosen.note_building(&mut recording);
         for y in 0..height {
             for x in 0..width {
                 trace_pixel(&tracer, [x, y], spec.through, &mut recording);
@@ -108,10 +108,6 @@ pub fn trace_figure(
         })
     };
     variants.map(trace).collect()
-}
-
-fn note_building(strategy: &impl Strategy, recorder: &mut impl Recorder) {
-    strategy.note_building(recorder);
 }
 
 /// What is kept of every pixel.

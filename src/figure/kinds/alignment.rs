@@ -24,8 +24,8 @@ use crate::trace::{Aligned, AlignedPart, Event, ZSort};
 pub(super) const KIND: Kind = Kind {
     draw,
     height: 400.0,
-    layers: &[Layer::Names],
     usual: &[Layer::Names],
+    more: &[],
 };
 
 /// What was recorded on the ray.

@@ -14,8 +14,8 @@ use crate::trace::{Counts, Record, Recorder};
 pub(super) const KIND: Kind = Kind {
     draw,
     height: 440.0,
-    layers: &[],
     usual: &[],
+    more: &[],
 };
 
 fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, FigureError> {

@@ -21,18 +21,14 @@ use crate::trace::WalkEnd;
 pub(super) const KIND: Kind = Kind {
     draw,
     height: 440.0,
-    layers: &[
-        Layer::Objects,
+    usual: &[Layer::Objects, Layer::Cells, Layer::Ray, Layer::Tests],
+    more: &[
         Layer::Names,
         Layer::Eye,
-        Layer::Cells,
         Layer::Lists,
-        Layer::Ray,
-        Layer::Tests,
         Layer::Numbers,
         Layer::Legend,
     ],
-    usual: &[Layer::Objects, Layer::Cells, Layer::Ray, Layer::Tests],
 };
 
 /// An object that was met, but behind another.

@@ -22,8 +22,8 @@ use crate::trace::{Event, QueueAction, QueueStep, Record};
 pub(super) const KIND: Kind = Kind {
     draw,
     height: 420.0,
-    layers: &[Layer::Legend],
     usual: &[Layer::Legend],
+    more: &[],
 };
 
 /// A node in the heap.

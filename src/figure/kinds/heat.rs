@@ -18,8 +18,8 @@ use crate::trace::Event;
 pub(super) const KIND: Kind = Kind {
     draw,
     height: 460.0,
-    layers: &[Layer::Legend],
     usual: &[Layer::Legend],
+    more: &[],
 };
 
 /// One map.

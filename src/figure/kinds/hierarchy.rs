@@ -23,15 +23,6 @@ use crate::structure::Hierarchy;
 pub(super) const KIND: Kind = Kind {
     draw,
     height: 420.0,
-    layers: &[
-        Layer::Objects,
-        Layer::Names,
-        Layer::Volumes,
-        Layer::Numbers,
-        Layer::Ray,
-        Layer::Tree,
-        Layer::Legend,
-    ],
     usual: &[
         Layer::Objects,
         Layer::Names,
@@ -41,6 +32,7 @@ pub(super) const KIND: Kind = Kind {
         Layer::Tree,
         Layer::Legend,
     ],
+    more: &[],
 };
 
 /// Some 32 leaves stand side by side on a slide, with their numbers; a binary tree has as many nodes above them.

@@ -26,8 +26,8 @@ use crate::structure::SlabOutcome;
 pub(super) const KIND: Kind = Kind {
     draw,
     height: 420.0,
-    layers: &[Layer::Objects, Layer::Slabs, Layer::Volumes, Layer::Legend],
     usual: &[Layer::Objects, Layer::Slabs, Layer::Volumes, Layer::Legend],
+    more: &[],
 };
 
 fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, FigureError> {

@@ -22,8 +22,8 @@ use crate::trace::{Event, RayEnd, RayStart};
 pub(super) const KIND: Kind = Kind {
     draw,
     height: 320.0,
-    layers: &[Layer::Objects, Layer::Names, Layer::Window, Layer::Numbers],
     usual: &[Layer::Objects, Layer::Names, Layer::Window, Layer::Numbers],
+    more: &[],
 };
 
 /// How far the line is shown behind the COP and beyond the last point, in lengths of Δ.

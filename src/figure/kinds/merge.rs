@@ -23,13 +23,6 @@ use crate::trace::Event;
 pub(super) const KIND: Kind = Kind {
     draw,
     height: 420.0,
-    layers: &[
-        Layer::Objects,
-        Layer::Names,
-        Layer::Slabs,
-        Layer::Volumes,
-        Layer::Numbers,
-    ],
     usual: &[
         Layer::Objects,
         Layer::Names,
@@ -37,6 +30,7 @@ pub(super) const KIND: Kind = Kind {
         Layer::Volumes,
         Layer::Numbers,
     ],
+    more: &[],
 };
 
 /// The bound of both.

@@ -37,10 +37,10 @@ pub(super) struct Kind {
     pub(super) draw: fn(&Figure, &mut Sheet, Frame) -> Result<String, FigureError>,
     /// How high it is in a book's column, in units of the sheet.
     pub(super) height: f64,
-    /// What it can show.
-    pub(super) layers: &'static [Layer],
     /// What it shows if nothing is said.
     pub(super) usual: &'static [Layer],
+    /// What else it can show.
+    pub(super) more: &'static [Layer],
 }
 
 /// The kind of that name.

@@ -23,14 +23,8 @@ use crate::trace::Event;
 pub(super) const KIND: Kind = Kind {
     draw,
     height: 440.0,
-    layers: &[
-        Layer::Objects,
-        Layer::Names,
-        Layer::Cells,
-        Layer::Lists,
-        Layer::Numbers,
-    ],
     usual: &[Layer::Objects, Layer::Cells, Layer::Numbers],
+    more: &[Layer::Names, Layer::Lists],
 };
 
 fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, FigureError> {

@@ -10,8 +10,8 @@ use crate::figure::sheet::Sheet;
 pub(super) const KIND: Kind = Kind {
     draw,
     height: 460.0,
-    layers: &[],
     usual: &[],
+    more: &[],
 };
 
 fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, FigureError> {

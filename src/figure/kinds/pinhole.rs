@@ -21,14 +21,6 @@ use crate::trace::{Event, RayTree};
 pub(super) const KIND: Kind = Kind {
     draw,
     height: 360.0,
-    layers: &[
-        Layer::Objects,
-        Layer::Names,
-        Layer::Window,
-        Layer::Pixels,
-        Layer::Ray,
-        Layer::Numbers,
-    ],
     usual: &[
         Layer::Objects,
         Layer::Names,
@@ -37,6 +29,7 @@ pub(super) const KIND: Kind = Kind {
         Layer::Ray,
         Layer::Numbers,
     ],
+    more: &[],
 };
 
 /// A point of an object, and its images.

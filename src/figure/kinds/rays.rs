@@ -19,20 +19,6 @@ use crate::trace::{Outcome, Purpose, RayNode, RayTree, Record};
 pub(super) const KIND: Kind = Kind {
     draw,
     height: 400.0,
-    layers: &[
-        Layer::Objects,
-        Layer::Names,
-        Layer::Eye,
-        Layer::Window,
-        Layer::Lights,
-        Layer::Ray,
-        Layer::ShadowRays,
-        Layer::Secondary,
-        Layer::Hits,
-        Layer::Normals,
-        Layer::Angles,
-        Layer::Legend,
-    ],
     usual: &[
         Layer::Objects,
         Layer::Names,
@@ -44,6 +30,7 @@ pub(super) const KIND: Kind = Kind {
         Layer::Secondary,
         Layer::Hits,
     ],
+    more: &[Layer::Normals, Layer::Angles, Layer::Legend],
 };
 
 fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, FigureError> {
@@ -76,13 +63,7 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
         .filter_map(|node| node.end?.object)
         .collect();
     if figure.shows(Layer::Objects) {
-        scenery::objects(figure, sheet, &stage, |id| {
-            if met.contains(&id) && figure.shows(Layer::Hits) {
-                Look::HIT
-            } else {
-                Look::OBJECT
-            }
-        });
+        scenery::objects_met(figure, sheet, &stage, &met);
     }
     // before the rays: their labels find other places more easily
     if figure.shows(Layer::Names) {

@@ -20,8 +20,8 @@ use crate::trace::{Event, LightTerm, Shade, Visibility};
 pub(super) const KIND: Kind = Kind {
     draw,
     height: 340.0,
-    layers: &[Layer::Objects, Layer::Names, Layer::Angles, Layer::Numbers],
     usual: &[Layer::Objects, Layer::Names, Layer::Angles, Layer::Numbers],
+    more: &[],
 };
 
 /// What was recorded at the point, and what follows from it.

@@ -21,14 +21,6 @@ use crate::trace::{BoundTest, Bounded, Event, Record, SlabTest};
 pub(super) const KIND: Kind = Kind {
     draw,
     height: 420.0,
-    layers: &[
-        Layer::Objects,
-        Layer::Names,
-        Layer::Slabs,
-        Layer::Normals,
-        Layer::Volumes,
-        Layer::Numbers,
-    ],
     usual: &[
         Layer::Objects,
         Layer::Slabs,
@@ -36,6 +28,7 @@ pub(super) const KIND: Kind = Kind {
         Layer::Volumes,
         Layer::Numbers,
     ],
+    more: &[Layer::Names],
 };
 
 /// The tests of one bound's slabs, as they are in the trace, and the step at which the bound was decided.

@@ -24,8 +24,8 @@ use crate::trace::{Event, Shade};
 pub(super) const KIND: Kind = Kind {
     draw,
     height: 380.0,
-    layers: &[Layer::Parabola, Layer::Normals, Layer::Numbers],
     usual: &[Layer::Parabola, Layer::Numbers],
+    more: &[Layer::Normals],
 };
 
 /// The test that is drawn.

@@ -19,8 +19,8 @@ use crate::trace::WalkEnd;
 pub(super) const KIND: Kind = Kind {
     draw,
     height: 400.0,
-    layers: &[Layer::Objects, Layer::Names, Layer::Ray, Layer::Numbers],
     usual: &[Layer::Objects, Layer::Ray, Layer::Numbers],
+    more: &[Layer::Names],
 };
 
 /// The plane that is crossed.

@@ -26,8 +26,8 @@ use crate::trace::{BoundOutcome, BoundTest, Bounded, Event, StrategyName};
 pub(super) const KIND: Kind = Kind {
     draw,
     height: 480.0,
-    layers: &[Layer::Ray, Layer::Legend],
     usual: &[Layer::Ray, Layer::Legend],
+    more: &[],
 };
 
 /// What became of a ray.

@@ -19,17 +19,6 @@ use crate::trace::{Event, RayNode, RayTree, Record};
 pub(super) const KIND: Kind = Kind {
     draw,
     height: 400.0,
-    layers: &[
-        Layer::Objects,
-        Layer::Names,
-        Layer::Eye,
-        Layer::Window,
-        Layer::Pixels,
-        Layer::Ray,
-        Layer::Hits,
-        Layer::Projection,
-        Layer::Numbers,
-    ],
     usual: &[
         Layer::Objects,
         Layer::Names,
@@ -40,6 +29,7 @@ pub(super) const KIND: Kind = Kind {
         Layer::Hits,
         Layer::Numbers,
     ],
+    more: &[Layer::Projection],
 };
 
 fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, FigureError> {
@@ -63,13 +53,7 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
     let met: Vec<_> = met.collect();
 
     if figure.shows(Layer::Objects) {
-        scenery::objects(figure, sheet, &stage, |id| {
-            if met.contains(&id) && figure.shows(Layer::Hits) {
-                Look::HIT
-            } else {
-                Look::OBJECT
-            }
-        });
+        scenery::objects_met(figure, sheet, &stage, &met);
     }
     if figure.shows(Layer::Projection) {
         view_plane(sheet, &stage, &figure.scene.camera);

@@ -27,8 +27,8 @@ use crate::trace::{Event, Record, StrategyName};
 pub(super) const KIND: Kind = Kind {
     draw,
     height: 350.0,
-    layers: &[Layer::Projection],
     usual: &[Layer::Projection],
+    more: &[],
 };
 
 /// The tests that are drawn, each with its step.
