@@ -71,8 +71,8 @@ pub use geometry::{
     AlignedRay, AlignedSlab, Alignment, Axis, AxisBox, BoxTest, Cone, DecidedBy, EdgeTest,
     Ellipsoid, Fate, GRAZE, MOST_SLABS, OrientedEllipsoid, Plane, PlaneTest, PlaneVerdict, Polygon,
     PolygonError, PolygonTest, QuadraticTest, Ray, Refraction, Root, Roots, Sides, SlabInterval,
-    SlabRay, SlabSetError, Sphere, TRange, interpolated_normal, mean_value_weights, reflect,
-    refract, slab_directions,
+    SlabRay, SlabSetError, Sphere, TRange, disc_in_polygon, interpolated_normal,
+    mean_value_weights, polygon_in_rectangle, reflect, refract, slab_directions,
 };
 pub use lesson::{
     FigureName, Lesson, LessonError, LessonFile, Library, compare, lesson_schema,
@@ -80,8 +80,8 @@ pub use lesson::{
 };
 pub use scene::{
     Camera, Emission, Fault, Light, LoadError, Loaded, Material, Materials, Normals, Object,
-    PhongTerm, Place, Primitive, PrimitiveId, Scene, SceneFault, SceneFile, Shape, load,
-    load_bytes, nearest_name,
+    PhongTerm, Place, Primitive, PrimitiveId, Scene, SceneFault, SceneFile, Shape, WindowCrossing,
+    load, load_bytes, nearest_name,
 };
 pub use strategy::{
     AnyHit, BoundedObjects, Chosen, DepthFirst, Exhaustive, HeapOrdered, Hit, NearestSoFar, Search,
@@ -89,9 +89,9 @@ pub use strategy::{
 };
 pub use structure::{
     Across, AssignStep, Build, CellStep, Grid, GridError, GridOptions, GridWalk, Hierarchy, Inside,
-    Link, Lists, MOST_CELLS, MOST_CELLS_ALONG, MergeStep, Node, RaySlabs, Share, SlabBound,
-    SlabChoice, SlabOutcome, SlabSet, SlabStep, StructureError, StructureOptions, Volume,
-    VolumeKind, VolumeRay, extent,
+    Link, Lists, MOST_CELLS, MOST_CELLS_ALONG, MergeStep, Neighbour, Node, Placed, PointTree,
+    RaySlabs, Share, SlabBound, SlabChoice, SlabOutcome, SlabSet, SlabStep, StructureError,
+    StructureOptions, Volume, VolumeKind, VolumeRay, extent,
 };
 pub use trace::{
     Aligned, AlignedPart, BoundOutcome, BoundTest, Bounded, Budget, CellVisit, Counts, Event,

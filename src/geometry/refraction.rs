@@ -17,6 +17,16 @@ pub struct Refraction {
     pub direction: Option<DVec3>,
 }
 
+impl Refraction {
+    /// (n₁/n₂)²: what becomes of radiance, power by area and solid angle, for a ray from the eye. Behind the
+    /// surface the same light fills another solid angle: n²·cos θ·dω is the same on both sides.
+    #[inline]
+    pub fn radiance_factor(&self) -> f64 {
+        let eta = self.index_from / self.index_to;
+        eta * eta
+    }
+}
+
 /// Which way does a ray go on behind a surface?
 ///
 /// n₁ sin θ₁ = n₂ sin θ₂ (Snell), as vectors with η = n₁/n₂:

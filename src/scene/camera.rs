@@ -3,7 +3,7 @@
 //! Slides, "Ray Tracing/ Ray Casting" and Fig. 12-1: for each pixel an eye ray is fired from the COP
 //! through the pixel's centre into the scene.
 
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 
 use crate::geometry::Ray;
 use crate::scene::check::{checked_point, checked_positive};
@@ -24,6 +24,21 @@ pub struct Camera {
     pub up: DVec3,
     /// Width and height in pixels.
     pub pixels: [u32; 2],
+}
+
+/// Where a line passes the window.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct WindowCrossing {
+    /// The pixel.
+    pub pixel: [u32; 2],
+    /// The place in pixels from the window's top left corner.
+    pub place: DVec2,
+    /// The point, in world coordinates.
+    pub point: DVec3,
+    /// How far away it is.
+    pub t: f64,
+    /// cos θ between the line and the window's normal.
+    pub cosine: f64,
 }
 
 impl Camera {
@@ -132,6 +147,44 @@ impl Camera {
         through.normalised().unwrap_or((through, 1.0))
     }
 
+    /// Where a line passes the window: from a point beside the COP, in this direction.
+    ///
+    /// `beside` is the point less the COP, `direction` has unit length. `None` if the line runs away from the window
+    /// or beside it. The lower and the right edge belong to no pixel.
+    pub fn window_crossing(&self, beside: DVec3, direction: DVec3) -> Option<WindowCrossing> {
+        // P = beside + t·direction = to_corner + α·right + β·up
+        let across = self.right.cross(self.up);
+        let t = across.dot(self.to_corner - beside) / across.dot(direction);
+        if !(0.0 < t && t < f64::INFINITY) {
+            return None;
+        }
+        let point = beside + t * direction - self.to_corner;
+        let alpha = point.cross(self.up).dot(across) / across.length_squared();
+        let beta = self.right.cross(point).dot(across) / across.length_squared();
+        let [width, height] = self.pixels;
+        let place = DVec2::new(alpha * f64::from(width), (1.0 - beta) * f64::from(height));
+        let [x, y] = place.to_array();
+        let inside = 0.0 <= x && x < f64::from(width) && 0.0 <= y && y < f64::from(height);
+        inside.then(|| WindowCrossing {
+            pixel: [x as u32, y as u32],
+            place,
+            point: self.cop + beside + t * direction,
+            t,
+            cosine: direction.dot(across).abs() / across.length(),
+        })
+    }
+
+    /// The unit normal of the window's plane.
+    pub fn window_normal(&self) -> DVec3 {
+        self.right.cross(self.up).normalize()
+    }
+
+    /// How large a pixel is on the window, in square units.
+    pub fn pixel_area(&self) -> f64 {
+        let [width, height] = self.pixels.map(f64::from);
+        self.right.cross(self.up).length() / (width * height)
+    }
+
     /// P − COP.
     fn to_window(self, x: f64, y: f64) -> DVec3 {
         let [width, height] = self.pixels.map(f64::from);
@@ -175,6 +228,33 @@ mod tests {
         close(camera.window_point(0.5, 0.5), [-1.5, 1.5, 5.0]);
         close(camera.window_point(3.5, 1.5), [1.5, 0.5, 5.0]);
         close(camera.window_point(0.0, 0.0), [-2.0, 2.0, 5.0]);
+    }
+
+    #[test]
+    fn a_line_crosses_the_window_where_the_eye_ray_through_that_place_does() {
+        let mut file = look_at([4, 2]);
+        file.pixels = [40, 20];
+        let camera = Camera::new(&file).unwrap();
+        for [x, y] in [[0.5, 0.5], [39.75, 12.25], [7.0, 19.5]] {
+            let (ray, window_t) = camera.eye_ray(x, y);
+            let found = camera.window_crossing(DVec3::ZERO, ray.direction).unwrap();
+            assert!(
+                (found.place - DVec2::new(x, y)).length() <= 1e-12,
+                "{found:?}"
+            );
+            assert!((found.t - window_t).abs() <= 1e-14, "{found:?}");
+            assert!(
+                camera
+                    .window_crossing(DVec3::ZERO, -ray.direction)
+                    .is_none()
+            );
+        }
+        // the window is 4 wide and 2 high: a pixel is 0.1 by 0.1
+        assert!((camera.pixel_area() - 0.01).abs() <= 1e-15);
+        // from beside the COP straight ahead: as far beside the middle, 1.5 pixels to the right and half a one up
+        let found = camera.window_crossing(DVec3::new(0.15, 0.05, 0.0), -DVec3::Z);
+        assert_eq!(found.unwrap().pixel, [21, 9]);
+        assert_eq!(found.unwrap().cosine, 1.0);
     }
 
     #[test]

@@ -15,7 +15,7 @@ mod object;
 mod scene;
 mod shapes;
 
-pub use camera::Camera;
+pub use camera::{Camera, WindowCrossing};
 pub use fault::{DEEPEST, Fault, LARGEST, MOST_PIXELS, SMALLEST, SceneFault};
 pub use file::{Material, Materials, SceneFile};
 pub use light::{Emission, Light, PhongTerm};

@@ -1,0 +1,80 @@
+//! How much of a polygon lies in a rectangle.
+
+use glam::DVec2;
+
+/// The area that a polygon shares with a rectangle along the axes, in square units.
+///
+/// The polygon is cut off at each of the four sides in turn (I. Sutherland and G. Hodgman, *Reentrant polygon
+/// clipping*, 1974). Where a concave polygon falls into pieces, edges along the side connect them; they enclose
+/// nothing, so that the area is right.
+///
+/// A = ½ |Σ pᵢ × pᵢ₊₁|. Fewer than three vertices share nothing.
+pub fn polygon_in_rectangle(outline: &[DVec2], low: DVec2, high: DVec2) -> f64 {
+    let mut piece = outline.to_vec();
+    for axis in 0..2 {
+        piece = cut_off(&piece, |p| p[axis] - low[axis]);
+        piece = cut_off(&piece, |p| high[axis] - p[axis]);
+    }
+    let next = piece.iter().cycle().skip(1);
+    let twice: f64 = piece.iter().zip(next).map(|(p, q)| p.perp_dot(*q)).sum();
+    0.5 * twice.abs()
+}
+
+/// What is left of a polygon where the distance from a line is not negative.
+fn cut_off(outline: &[DVec2], distance: impl Fn(DVec2) -> f64) -> Vec<DVec2> {
+    let mut kept = Vec::with_capacity(outline.len() + 2);
+    let next = outline.iter().cycle().skip(1);
+    for (&p, &q) in outline.iter().zip(next) {
+        let [at_p, at_q] = [p, q].map(&distance);
+        if 0.0 <= at_p {
+            kept.push(p);
+        }
+        if (0.0 <= at_p) != (0.0 <= at_q) {
+            kept.push(p + (q - p) * (at_p / (at_p - at_q)));
+        }
+    }
+    kept
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[track_caller]
+    fn check(outline: &[[f64; 2]], expected: f64) {
+        let outline: Vec<DVec2> = outline.iter().copied().map(DVec2::from).collect();
+        let area = polygon_in_rectangle(&outline, DVec2::ZERO, DVec2::new(2.0, 1.0));
+        assert!((area - expected).abs() <= 1e-15, "{area} {expected}");
+    }
+
+    #[test]
+    fn a_polygon_counts_as_far_as_it_lies_in_the_rectangle() {
+        check(&[[-9.0, -9.0], [9.0, -9.0], [9.0, 9.0], [-9.0, 9.0]], 2.0);
+        check(&[[0.5, 0.25], [1.5, 0.25], [1.5, 0.75], [0.5, 0.75]], 0.5);
+        check(&[[3.0, 0.0], [4.0, 0.0], [4.0, 1.0]], 0.0);
+        // the triangle below x + y = 1
+        check(&[[-1.0, -1.0], [3.0, -1.0], [-1.0, 3.0]], 1.5);
+    }
+
+    #[test]
+    fn a_concave_polygon_in_two_pieces_counts_both() {
+        // a U whose arms are 0.5 wide and whose bar lies below the rectangle
+        let outline = [
+            [0.0, -1.0],
+            [1.5, -1.0],
+            [1.5, 1.0],
+            [1.0, 1.0],
+            [1.0, -0.5],
+            [0.5, -0.5],
+            [0.5, 1.0],
+            [0.0, 1.0],
+        ];
+        check(&outline, 1.0);
+    }
+
+    #[test]
+    fn points_that_are_no_polygon_share_nothing() {
+        check(&[], 0.0);
+        check(&[[0.1, 0.1], [0.9, 0.9]], 0.0);
+    }
+}
