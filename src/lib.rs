@@ -33,7 +33,7 @@
 //! # fn main() -> Result<(), raystep::LoadError> {
 //! let scene = raystep::load(Path::new("lessons/04-sphere/scene.json"))?.build()?;
 //! let strategy = Exhaustive::new(&scene);
-//! let tracer = Tracer { scene: &scene, strategy: &strategy, transport: Transport::HybridLight };
+//! let tracer = Tracer::new(&scene, &strategy, Transport::HybridLight);
 //!
 //! let mut recording = Recording::new(Vec::new());
 //! raystep::trace_pixel(&tracer, [80, 60], Through::Centres, &mut recording);
@@ -94,15 +94,17 @@ pub use structure::{
     StructureOptions, Volume, VolumeKind, VolumeRay, extent,
 };
 pub use trace::{
-    Aligned, AlignedPart, BoundOutcome, BoundTest, Bounded, Budget, CellVisit, Counts, Event,
-    EventBlocks, Filter, GridEnter, GridExit, HitOutsideCell, Item, Kind, Kinds, LightTerm,
-    LineSink, LogError, LogNames, LogReader, Nearest, NodeOutcome, NodeVisit, Off, Outcome,
-    PixelColour, PixelSample, Purpose, QueueAction, QueueStep, RayCount, RayEnd, RayNode, RayStart,
-    RayTree, Record, Recorder, Recording, Region, Settings, Shade, Sink, SlabTest, StrategyName,
-    TestCount, Through, Transport, Visibility, WalkEnd, ZSort, begins_log, scene_schema,
-    trace_schema, write_log_head,
+    Aligned, AlignedPart, Alternative, Arrival, BoundOutcome, BoundTest, Bounded, Budget,
+    CellVisit, Connection, Counts, Event, EventBlocks, Filter, Gathered, GridEnter, GridExit,
+    HitOutsideCell, Item, Kind, Kinds, LightCount, LightOptions, LightTerm, LineSink, LogError,
+    LogNames, LogReader, Nearby, Nearest, NodeOutcome, NodeVisit, Off, Outcome, PathStart, Photon,
+    PhotonFate, PixelColour, PixelSample, Purpose, QueueAction, QueueStep, RayCount, RayEnd,
+    RayNode, RayStart, RayTree, Record, Recorder, Recording, Region, Settings, Shade, Sink,
+    SlabTest, Stored, StrategyName, TestCount, Through, Transport, Visibility, WalkEnd, ZSort,
+    begins_log, geometry_term, scene_schema, trace_schema, write_log_head,
 };
 pub use tracer::{
-    EPSILON, Heat, HeatLine, HeatOf, LogOptions, LogStopped, Picture, Tracer, eye_samples,
-    heat_values, render, start_epsilon, trace_pixel, write_log,
+    EPSILON, Heat, HeatLine, HeatOf, LightError, LightPass, LogOptions, LogStopped, LoggedPaths,
+    MOST_SURFACES, Picture, StoredLight, StoredPhoton, Tracer, aperture, check_light, eye_samples,
+    heat_values, paths_behind, render, start_epsilon, trace_pixel, write_log,
 };

@@ -8,8 +8,8 @@ use std::path::PathBuf;
 use clap::{Args as ClapArgs, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
 use raystep::{
-    Build, GridOptions, HeatOf, Kind, Lists, Region, SlabChoice, StrategyName, StructureOptions,
-    Through, Transport, VolumeKind, nearest_name,
+    Build, GridOptions, HeatOf, Kind, LightOptions, Lists, Region, SlabChoice, StrategyName,
+    StructureOptions, Through, Transport, VolumeKind, nearest_name,
 };
 
 use crate::cli::Error;
@@ -129,6 +129,44 @@ pub(crate) struct Casting {
     /// Where the eye rays pass a pixel [default: centres]
     #[arg(long, value_enum, value_name = "WHERE")]
     pub(crate) through: Option<Through>,
+    /// Where chance begins, for forward, hybrid-stored and hybrid-connected [default: 1]
+    #[arg(long, value_name = "N")]
+    pub(crate) seed: Option<u64>,
+    /// Paths of light, for forward and hybrid-stored [default: 200000]
+    #[arg(long, value_name = "N")]
+    pub(crate) paths: Option<u64>,
+    /// Paths from the eye for each pixel, and of light as many, for hybrid-connected [default: 4]
+    #[arg(long, value_name = "N")]
+    pub(crate) samples: Option<u32>,
+    /// Surfaces that a path may meet, for forward, hybrid-stored and hybrid-connected [default: as many as
+    /// chance leaves it]
+    #[arg(long, value_name = "N")]
+    pub(crate) bounces: Option<u32>,
+    /// Radius of the eye's aperture, for forward [default: a twentieth of the way to the window]
+    #[arg(long, value_name = "R", value_parser = radius, allow_hyphen_values = true)]
+    pub(crate) aperture: Option<f64>,
+    /// Photons that are gathered around a point, for hybrid-stored [default: 50]
+    #[arg(long, value_name = "K")]
+    pub(crate) nearest: Option<u32>,
+    /// Store light on flat faces in maps with so many cells along the longer side, for hybrid-stored
+    #[arg(long, value_name = "N")]
+    pub(crate) map: Option<u32>,
+}
+
+impl Casting {
+    /// What was chosen about how light is followed.
+    pub(crate) fn light(&self) -> LightOptions {
+        let usual = LightOptions::default();
+        LightOptions {
+            seed: self.seed.unwrap_or(usual.seed),
+            paths: self.paths.unwrap_or(usual.paths),
+            samples: self.samples.unwrap_or(usual.samples),
+            bounces: self.bounces,
+            aperture: self.aperture,
+            nearest: self.nearest.unwrap_or(usual.nearest),
+            map: self.map,
+        }
+    }
 }
 
 /// Text or JSON.
@@ -316,8 +354,8 @@ pub(crate) fn refuse_negative(arguments: &[OsString]) -> Result<(), Error> {
         };
         let digits = value.strip_prefix('-').unwrap_or_default();
         let is_negative = digits.starts_with(|c: char| c.is_ascii_digit() || c == '.');
-        // a density has a message of its own for all that is none
-        if is_negative && option != "--density" {
+        // these have a message of their own for all that is none
+        if is_negative && !["--density", "--aperture"].contains(&option) {
             let argument = word.into_owned();
             return Err(Error::Negative { argument });
         }
@@ -352,6 +390,14 @@ fn density(text: &str) -> Result<f64, String> {
     match text.trim().parse() {
         Ok(density) if 0.0 < density && density < f64::INFINITY => Ok(density),
         _ => Err("give a number of cells for each object above 0, such as 3".into()),
+    }
+}
+
+/// A radius that may be 0.
+fn radius(text: &str) -> Result<f64, String> {
+    match text.trim().parse() {
+        Ok(radius) if (0.0..f64::INFINITY).contains(&radius) => Ok(radius),
+        _ => Err("give a radius of 0 or more, such as 0.05".into()),
     }
 }
 

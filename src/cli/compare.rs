@@ -2,11 +2,12 @@
 
 use std::time::Instant;
 
-use raystep::{compare, cost_chart, scan_lines_to_compare};
+use raystep::{Exhaustive, Loaded, check_light, compare, cost_chart, scan_lines_to_compare};
 
 use crate::cli::Error;
 use crate::cli::args::{CompareArgs, TableFormat, Tracing};
-use crate::cli::input::{self, Input};
+use crate::cli::input::{self, Input, Ready};
+use crate::cli::light::tell_notes;
 use crate::cli::output::{self, Output};
 use crate::cli::pixel::inside;
 use crate::cli::progress::{bar, on_threads};
@@ -23,20 +24,14 @@ pub(crate) fn run(args: &CompareArgs) -> Result<(), Error> {
             fix: "name a file with --chart".into(),
         });
     }
-    let started = Instant::now();
-    let tracing = Tracing {
-        casting: args.casting.clone(),
-        ..Tracing::default()
-    };
-    let ready = match input::open(&args.scene)? {
-        Input::Scene(loaded) => input::ready(*loaded, &tracing, started)?,
-        Input::Log(_) => return Err(input::needs_scene(&args.scene, "a comparison needs")),
-    };
+    let ready = scene_of(args, input::ready)?;
     let scene = &ready.scene;
     let pixel = args.pixel.map(|pixel| inside(pixel, scene)).transpose()?;
     let chart = args.chart.as_deref().map(Output::create).transpose()?;
 
     let settings = &ready.settings;
+    let strategy = Exhaustive::new(scene);
+    tell_notes(&args.scene, check_light(scene, &strategy, settings))?;
     let bar = bar(scan_lines_to_compare(scene, settings, pixel));
     let comparison = on_threads(args.threads, || {
         compare(scene, settings, pixel, |done| bar.set_position(done))
@@ -51,4 +46,20 @@ pub(crate) fn run(args: &CompareArgs) -> Result<(), Error> {
         TableFormat::Csv => comparison.csv(),
     };
     Output::standard().write_whole(table.as_bytes())
+}
+
+/// The scene, made ready as the options want it.
+fn scene_of(
+    args: &CompareArgs,
+    ready: impl FnOnce(Loaded, &Tracing, Instant) -> Result<Ready, Error>,
+) -> Result<Ready, Error> {
+    let started = Instant::now();
+    let tracing = Tracing {
+        casting: args.casting.clone(),
+        ..Tracing::default()
+    };
+    match input::open(&args.scene)? {
+        Input::Scene(loaded) => ready(*loaded, &tracing, started),
+        Input::Log(_) => Err(input::needs_scene(&args.scene, "a comparison needs")),
+    }
 }

@@ -4,7 +4,8 @@ use std::fmt;
 use std::io;
 
 use raystep::{
-    BookError, Fault, GridError, LessonError, LoadError, LogError, Region, StructureError,
+    BookError, Fault, GridError, LessonError, LightError, LoadError, LogError, Region,
+    StructureError,
 };
 
 /// Why a command did not do what it was asked to.
@@ -61,6 +62,13 @@ pub(crate) enum Error {
     Structure {
         /// Why.
         fault: StructureError,
+    },
+    /// Light cannot be followed through the scene.
+    Light {
+        /// The scene.
+        file: String,
+        /// Why.
+        fault: LightError,
     },
     /// There is no such pixel.
     PixelOutside {
@@ -191,6 +199,7 @@ impl fmt::Display for Error {
                 Some(option) => write!(f, "{option}: {fault}"),
                 None => fault.fmt(f),
             },
+            Self::Light { file, fault } => write!(f, "{file}: {fault}\n  {}", fault.fix()),
             Self::PixelOutside {
                 pixel: [x, y],
                 pixels,

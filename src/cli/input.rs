@@ -11,6 +11,7 @@ use raystep::{
 
 use crate::cli::Error;
 use crate::cli::args::Tracing;
+use crate::cli::light_options::{self, LIGHT_OPTIONS};
 use crate::cli::structure_options::{STRUCTURE_OPTIONS, refuse_unused};
 
 /// A log that is read while it comes in.
@@ -90,7 +91,13 @@ pub(crate) fn open(path: &Path) -> Result<Input, Error> {
 }
 
 /// A scene as the options want it, checked.
-pub(crate) fn ready(
+pub(crate) fn ready(loaded: Loaded, tracing: &Tracing, started: Instant) -> Result<Ready, Error> {
+    light_options::refuse_unused(&tracing.casting)?;
+    ready_for_all(loaded, tracing, started)
+}
+
+/// The same for several transports, of which each looks at some of the options.
+pub(crate) fn ready_for_all(
     mut loaded: Loaded,
     tracing: &Tracing,
     started: Instant,
@@ -134,6 +141,7 @@ pub(crate) fn ready(
         structure,
         building: tracing.building,
         transport: tracing.casting.transport.unwrap_or_default(),
+        light: tracing.casting.light(),
         through: tracing.casting.through.unwrap_or_default(),
         one_sided: tracing.casting.one_sided,
         only: None,
@@ -156,12 +164,17 @@ pub(crate) fn refuse_tracing(path: &Path, tracing: &Tracing) -> Result<(), Error
     let casting = [
         ("--transport", tracing.casting.transport.is_some()),
         ("--pixels", tracing.casting.pixels.is_some()),
-        ("--max-depth", tracing.casting.max_depth.is_some()),
         ("--one-sided", tracing.casting.one_sided),
-        ("--through", tracing.casting.through.is_some()),
     ];
+    let light = LIGHT_OPTIONS
+        .iter()
+        .map(|option| (option.name, (option.is_given)(&tracing.casting)));
     let strategy = [("--strategy", tracing.strategy.is_some())];
-    let given = strategy.into_iter().chain(structure).chain(casting);
+    let given = strategy
+        .into_iter()
+        .chain(structure)
+        .chain(casting)
+        .chain(light);
     let given = given.filter(|(_, is_given)| *is_given);
     let names: Vec<&str> = given.map(|(name, _)| name).collect();
     let asks = if names.len() == 1 {

@@ -8,6 +8,8 @@ mod error;
 mod figure;
 mod figures;
 mod input;
+mod light;
+mod light_options;
 mod mdbook;
 mod output;
 mod pixel;

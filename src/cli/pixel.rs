@@ -2,18 +2,20 @@
 
 use std::collections::BTreeSet;
 use std::io::Write;
+use std::path::{Path, PathBuf};
 use std::sync::mpsc;
 use std::time::Instant;
 
 use anstream::{AutoStream, ColorChoice};
 use raystep::{
-    Kind, Kinds, Record, Recording, Scene, Settings, Sink, Strategy, Tracer, WorkedOptions,
-    pixel_json, trace_pixel, worked_solution,
+    Kind, Kinds, Off, Record, Recording, Region, Scene, Settings, Sink, Strategy, Tracer,
+    WorkedOptions, paths_behind, pixel_json, trace_pixel, worked_solution,
 };
 
 use crate::cli::Error;
 use crate::cli::args::{Format, PixelArgs};
 use crate::cli::input::{self, Input, Log, Ready};
+use crate::cli::light::light_pass;
 use crate::cli::output::Output;
 use crate::cli::stats::{self, LogCounts, Times};
 
@@ -37,7 +39,7 @@ pub(crate) fn run(args: &PixelArgs) -> Result<(), Error> {
         Input::Scene(loaded) => {
             let ready = input::ready(*loaded, &args.tracing, started)?;
             let pixel = inside(args.pixel, &ready.scene)?;
-            trace(ready, pixel, args.budget)?
+            trace(args.scene.clone(), ready, pixel, args.budget)?
         }
         Input::Log(log) => {
             input::refuse_tracing(&args.scene, &args.tracing)?;
@@ -82,12 +84,12 @@ pub(crate) fn inside(pixel: [u64; 2], scene: &Scene) -> Result<[u32; 2], Error> 
 
 /// Traces the pixel on a thread of its own: a tree of rays that outgrows the budget would go on for
 /// long, and is left behind.
-fn trace(ready: Ready, pixel: [u32; 2], budget: u64) -> Result<Traced, Error> {
+fn trace(file: PathBuf, ready: Ready, pixel: [u32; 2], budget: u64) -> Result<Traced, Error> {
     let (sender, receiver) = mpsc::channel();
     let spent = sender.clone();
     let worker = std::thread::Builder::new().stack_size(STACK);
     let started = worker.spawn(move || {
-        let traced = trace_here(ready, pixel, Spending { budget, spent });
+        let traced = trace_here(&file, ready, pixel, Spending { budget, spent });
         // nobody listens any more if the budget was spent
         let _ = sender.send(Some(Box::new(traced)));
     });
@@ -124,21 +126,29 @@ impl Sink for Kept {
     }
 }
 
-fn trace_here(ready: Ready, pixel: [u32; 2], spending: Spending) -> Result<Traced, Error> {
+fn trace_here(
+    file: &Path,
+    ready: Ready,
+    pixel: [u32; 2],
+    spending: Spending,
+) -> Result<Traced, Error> {
     let started = Instant::now();
     let strategy = ready.strategy()?;
     let built = Instant::now();
-    let tracer = Tracer {
-        scene: &ready.scene,
-        strategy: &strategy,
-        transport: ready.settings.transport,
-    };
+    let region = Region::pixel(pixel);
+    let (light, _) = light_pass::<_, Off>(file, &ready, &strategy, Some(region), None)?;
+    let tracer = Tracer::new(&ready.scene, &strategy, ready.settings.transport);
+    let tracer = tracer.with_light(light.as_ref());
     let mut recording = Recording::new(Kept {
         records: Vec::new(),
         spending,
     });
     if ready.settings.building {
         strategy.note_building(&mut recording);
+    }
+    // the paths that led to the pixel come first
+    for path in paths_behind(&tracer, region, ready.settings.through) {
+        tracer.trace_path(path, &mut recording);
     }
     trace_pixel(&tracer, pixel, ready.settings.through, &mut recording);
     let records = recording.into_sink().records;

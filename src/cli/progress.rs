@@ -20,11 +20,17 @@ pub(crate) fn on_threads<T: Send>(
 
 /// A bar of scan lines on standard error; none where that is no terminal.
 pub(crate) fn bar(scan_lines: u64) -> ProgressBar {
+    bar_of(scan_lines, "scan lines")
+}
+
+/// A bar of whatever is counted.
+pub(crate) fn bar_of(count: u64, what: &str) -> ProgressBar {
     if !std::io::stderr().is_terminal() {
         return ProgressBar::hidden();
     }
-    let bar = ProgressBar::new(scan_lines);
-    match ProgressStyle::with_template("{bar:40} {pos} of {len} scan lines, {eta} left") {
+    let bar = ProgressBar::new(count);
+    let template = format!("{{bar:40}} {{pos}} of {{len}} {what}, {{eta}} left");
+    match ProgressStyle::with_template(&template) {
         Ok(style) => bar.with_style(style),
         Err(_) => bar,
     }

@@ -4,16 +4,18 @@ use std::io::{self, Write};
 use std::time::Instant;
 
 use raystep::{
-    Counts, HeatLine, HeatOf, Off, Picture, Raster, Recorder, Strategy, Through, Tracer, heat_map,
-    heat_values, render,
+    Counts, HeatLine, HeatOf, Off, Picture, Raster, Recorder, Strategy, Through, Tracer, Transport,
+    heat_map, heat_values, render,
 };
 
 use crate::cli::Error;
 use crate::cli::args::{Format, RenderArgs};
 use crate::cli::input::{self, Input, Ready};
+use crate::cli::light::light_pass;
 use crate::cli::output::{self, Output};
 use crate::cli::progress::{bar, on_threads};
 use crate::cli::stats::{self, Times};
+use crate::cli::structure_options::word;
 
 /// Writes the picture.
 pub(crate) fn run(args: &RenderArgs) -> Result<(), Error> {
@@ -27,6 +29,19 @@ pub(crate) fn run(args: &RenderArgs) -> Result<(), Error> {
         Input::Scene(loaded) => input::ready(*loaded, &args.tracing, started)?,
         Input::Log(_) => return Err(input::needs_scene(&args.scene, "a picture needs")),
     };
+    let transport = ready.settings.transport;
+    if args.heatmap.is_some()
+        && matches!(transport, Transport::Forward | Transport::HybridConnected)
+    {
+        return Err(Error::Unused {
+            option: "--heatmap",
+            chosen: format!(
+                "--transport {}: no ray belongs to one pixel alone",
+                word(&transport)
+            ),
+            users: vec!["another --transport".into()],
+        });
+    }
     let mut out = Output::create(&args.output)?;
     let started = Instant::now();
     let strategy = ready.strategy()?;
@@ -53,25 +68,28 @@ fn render_with<S: Strategy>(
     args: &RenderArgs,
     mut times: Times,
 ) -> Result<(Raster, Option<(Counts, Times)>), Error> {
-    let tracer = Tracer {
-        scene: &ready.scene,
-        strategy,
-        transport: ready.settings.transport,
-    };
+    let tracer = Tracer::new(&ready.scene, strategy, ready.settings.transport);
     let started = Instant::now();
-    let (raster, counts) = match args.heatmap {
-        None if args.tracing.stats.is_none() => {
-            let (picture, _) = traced::<_, Off>(&tracer, ready, args)?;
-            return Ok((raster(&picture), None));
-        }
+    if args.heatmap.is_none() && args.tracing.stats.is_none() {
+        let (light, _) = light_pass::<_, Off>(&args.scene, ready, strategy, None, args.threads)?;
+        let tracer = tracer.with_light(light.as_ref());
+        let (picture, _) = traced::<_, Off>(&tracer, ready, args)?;
+        return Ok((raster(&picture), None));
+    }
+    let (light, mut counts) =
+        light_pass::<_, Counts>(&args.scene, ready, strategy, None, args.threads)?;
+    let tracer = tracer.with_light(light.as_ref());
+    let raster = match args.heatmap {
         None => {
-            let (picture, counts) = traced::<_, Counts>(&tracer, ready, args)?;
-            (raster(&picture), counts)
+            let (picture, of_lines) = traced::<_, Counts>(&tracer, ready, args)?;
+            counts.extend(of_lines);
+            raster(&picture)
         }
         Some(of) => {
             let (picture, heard) = traced::<_, (HeatLine, Counts)>(&tracer, ready, args)?;
-            let (lines, counts): (Vec<_>, Vec<_>) = heard.into_iter().unzip();
-            (heat_raster(&picture, &lines, of, ready), counts)
+            let (lines, of_lines): (Vec<_>, Vec<_>) = heard.into_iter().unzip();
+            counts.extend(of_lines);
+            heat_raster(&picture, &lines, of, ready)
         }
     };
     times.tracing = started.elapsed();

@@ -108,7 +108,7 @@ fn words((strategy, volume): User) -> String {
 }
 
 /// A value as it is written on the command line.
-fn word(value: &impl clap::ValueEnum) -> String {
+pub(crate) fn word(value: &impl clap::ValueEnum) -> String {
     let value = value.to_possible_value();
     value.map_or(String::new(), |value| value.get_name().into())
 }

@@ -4,13 +4,15 @@ use std::io::Write;
 use std::time::Instant;
 
 use raystep::{
-    Budget, Counts, Filter, Kind, Kinds, LineSink, LogNames, LogOptions, LogStopped, Off, Recorder,
-    Region, Scene, Settings, Sink, Strategy, Tracer, write_log, write_log_head,
+    Budget, Counts, Filter, Kind, Kinds, LineSink, LogNames, LogOptions, LogStopped, LoggedPaths,
+    Off, Recorder, Region, Scene, Settings, Sink, Strategy, Tracer, paths_behind, write_log,
+    write_log_head,
 };
 
 use crate::cli::Error;
 use crate::cli::args::{Format, TraceArgs};
 use crate::cli::input::{self, Input, Log, Ready};
+use crate::cli::light::light_pass;
 use crate::cli::output::{self, Output};
 use crate::cli::progress::{bar, on_threads};
 use crate::cli::stats::{self, LogCounts, Times};
@@ -46,6 +48,7 @@ fn trace(mut ready: Ready, args: &TraceArgs) -> Result<(), Error> {
             None => Kinds::ALL,
         },
         budget: args.budget,
+        paths: LoggedPaths::None,
     };
     let out = Output::create(&args.output)?;
     let started = Instant::now();
@@ -55,28 +58,34 @@ fn trace(mut ready: Ready, args: &TraceArgs) -> Result<(), Error> {
         building: started.elapsed(),
         ..Times::default()
     };
-    trace_with(&strategy, &ready, args, &options, out, times)
+    trace_with(&strategy, &ready, args, options, out, times)
 }
 
 fn trace_with<S: Strategy>(
     strategy: &S,
     ready: &Ready,
     args: &TraceArgs,
-    options: &LogOptions,
+    mut options: LogOptions,
     mut out: Output,
     mut times: Times,
 ) -> Result<(), Error> {
-    let tracer = Tracer {
-        scene: &ready.scene,
-        strategy,
-        transport: ready.settings.transport,
+    let started = Instant::now();
+    let region = args.region;
+    let (light, _) = light_pass::<_, Off>(&args.scene, ready, strategy, region, args.threads)?;
+    let tracer = Tracer::new(&ready.scene, strategy, ready.settings.transport);
+    let tracer = tracer.with_light(light.as_ref());
+    options.paths = match region {
+        None => LoggedPaths::All(ready.settings.light_paths(ready.scene.camera.pixels)),
+        Some(region) => {
+            let paths = paths_behind(&tracer, region, ready.settings.through);
+            LoggedPaths::Some(paths.into_iter().collect())
+        }
     };
     let Some(format) = args.tracing.stats else {
-        write::<_, Off>(&tracer, ready, args, options, &mut out)?;
+        write::<_, Off>(&tracer, ready, args, &options, &mut out)?;
         return out.finish();
     };
-    let started = Instant::now();
-    let counts = write::<_, Counts>(&tracer, ready, args, options, &mut out)?;
+    let counts = write::<_, Counts>(&tracer, ready, args, &options, &mut out)?;
     times.tracing = started.elapsed();
     out.finish()?;
     let counts = stats::sum(&counts);

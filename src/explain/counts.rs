@@ -112,5 +112,8 @@ fn purpose_name(purpose: Purpose) -> &'static str {
         Purpose::Shadow => "shadow",
         Purpose::Reflected => "reflected",
         Purpose::Refracted => "refracted",
+        Purpose::Scattered => "scattered",
+        Purpose::Light => "light",
+        Purpose::Connection => "connection",
     }
 }

@@ -154,6 +154,10 @@ impl Look {
     pub(super) const REFLECTED_RAY: Self = Self::line(Colour::Hit, 2.0, Dash::Alternating);
     /// A refracted ray.
     pub(super) const REFRACTED_RAY: Self = Self::line(Colour::Visited, 2.0, Dash::Dashed);
+    /// A leg of a path of light.
+    pub(super) const LIGHT_RAY: Self = Self::line(Colour::Rejected, 1.75, Dash::Solid);
+    /// A line between a path of light and one from the eye.
+    pub(super) const CONNECTION: Self = Self::line(Colour::Visited, 1.75, Dash::Dotted);
     /// What was met.
     pub(super) const HIT: Self = Self::area(Colour::Hit, 2.5, Dash::Solid);
     /// What was tested and refused.

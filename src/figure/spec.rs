@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::figure::view::View;
 use crate::structure::{StructureOptions, VolumeKind};
-use crate::trace::{StrategyName, Through, Transport};
+use crate::trace::{LightOptions, StrategyName, Through, Transport};
 
 /// A figure of a lesson. The same name serves the command line, the book and the tests.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -51,6 +51,9 @@ pub struct FigureSpec {
     /// Which rays are cast.
     #[serde(default)]
     pub transport: Transport,
+    /// How light is followed from the lamps, where the transport does.
+    #[serde(default)]
+    pub light: LightOptions,
     /// Where the eye rays pass a pixel.
     #[serde(default)]
     pub through: Through,
@@ -146,6 +149,10 @@ pub enum Layer {
     ShadowRays,
     /// Reflected and refracted rays.
     Secondary,
+    /// Paths of light.
+    LightPaths,
+    /// Lines between a path of light and one from the eye.
+    Connections,
     /// What was met, and where.
     Hits,
     /// The normals of what was met.

@@ -74,7 +74,8 @@ impl Traced {
 
     /// How the structure was built.
     pub(super) fn building(&self) -> impl Iterator<Item = &Record> {
-        self.records.iter().filter(|record| record.pixel.is_none())
+        let of_none = |record: &&Record| record.pixel.is_none() && record.path.is_none();
+        self.records.iter().filter(of_none)
     }
 
     /// The colour of each pixel, from the top left, cut to 0..1; `None` where the log has none.

@@ -163,6 +163,7 @@ mod tests {
     fn record(step: u32, event: Event) -> Record {
         Record {
             pixel: Some([0, 0]),
+            path: None,
             step,
             ray: Some(0),
             parent: None,

@@ -7,9 +7,10 @@ use crate::scene::Scene;
 use crate::strategy::{Chosen, Strategy};
 use crate::structure::StructureError;
 use crate::trace::{Counts, Settings, Through};
-use crate::tracer::{Tracer, render, trace_pixel};
+use crate::tracer::{LightPass, Tracer, render, trace_pixel};
 
-/// Traces a pixel, or the whole picture, with every strategy, over the rays of these settings.
+/// Traces a pixel, or the whole picture, with every strategy, over the rays of these settings. Where the transport
+/// follows light, all its paths count, and [`check_light`](crate::tracer::check_light) must have been asked before.
 ///
 /// `done` hears how many of the [`scan_lines_to_compare`] are finished.
 pub fn compare<'a>(
@@ -52,13 +53,11 @@ fn cost(
     let started = Instant::now();
     let strategy = Chosen::new(scene, settings.strategy, &settings.structure)?;
     let building = started.elapsed();
-    let tracer = Tracer {
-        scene,
-        strategy: &strategy,
-        transport: settings.transport,
-    };
     let started = Instant::now();
     let mut counts = Counts::default();
+    let hear = |heard: Counts| counts.add(&heard);
+    let light = LightPass::new(scene, &strategy, settings, None, hear, |_| {});
+    let tracer = Tracer::new(scene, &strategy, settings.transport).with_light(light.as_ref());
     match pixel {
         Some(pixel) => {
             trace_pixel(&tracer, pixel, settings.through, &mut counts);

@@ -75,6 +75,7 @@ pub fn trace_figure(
             structure,
             building: true,
             transport: spec.transport,
+            light: spec.light,
             through: spec.through,
             one_sided: false,
             only: Some(kept.iter().map(|kind| kind.name().into()).collect()),
@@ -84,11 +85,7 @@ pub fn trace_figure(
         };
         let chosen = Chosen::new(&scene, strategy, &structure)
             .map_err(|fault| error("structure", fault.to_string(), "change it in the lesson"))?;
-        let tracer = Tracer {
-            scene: &scene,
-            strategy: &chosen,
-            transport: spec.transport,
-        };
+        let tracer = Tracer::new(&scene, &chosen, spec.transport);
         let mut recording = Recording::new(Keep {
             records: Vec::new(),
             whole: &whole,

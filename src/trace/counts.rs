@@ -1,19 +1,23 @@
 //! Counts: how many rays of each purpose, how many tests of each kind, and how many of them hit.
 
+use glam::DVec3;
+
 use crate::trace::{
     BoundOutcome, Bounded, Event, Kind, NodeOutcome, Outcome, Purpose, QueueAction, RayEnd,
     Recorder,
 };
 
 /// What a trace cost. A recorder that keeps sums alone.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Counts {
-    /// By purpose: eye, shadow, reflected, refracted.
-    pub rays: [RayCount; 4],
+    /// By purpose, in the order of [`Counts::PURPOSES`].
+    pub rays: [RayCount; 7],
     /// By kind: sphere, ellipsoid, cone, box, plane, polygon.
     pub tests: [TestCount; 6],
     /// What the search for the objects to test cost.
     pub search: SearchCount,
+    /// What became of the light that was followed from the lamps.
+    pub light: LightCount,
     /// Purposes of the rays that have started and not ended.
     open: Vec<Purpose>,
     /// The volume of an object was met, and the object was not met since.
@@ -91,6 +95,159 @@ pub struct SearchCount {
     pub aligned: u64,
 }
 
+/// What became of the light that was followed from the lamps: how many paths, and where their power went.
+///
+/// The ledger: emitted = absorbed + left + cut off, channel by channel.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct LightCount {
+    /// Paths that a light sent out.
+    pub paths: u64,
+    /// Paths that met a surface.
+    pub hit: u64,
+    /// Paths that left the scene.
+    pub left: u64,
+    /// Paths that ended on a surface.
+    pub absorbed: u64,
+    /// Paths that met as many surfaces as they may.
+    pub cut_off: u64,
+    /// Paths that passed the window into the eye, or were seen by a line to the eye that counts.
+    pub reached_eye: u64,
+    /// Photons that were stored.
+    pub stored: u64,
+    /// Points at which stored light was gathered.
+    pub gathered: u64,
+    /// Connecting lines that were drawn.
+    pub connections: u64,
+    /// Connecting lines with nothing between their ends.
+    pub connected: u64,
+    /// What the lights sent out, in watts for each channel.
+    pub emitted_power: DVec3,
+    /// What the surfaces absorbed.
+    pub absorbed_power: DVec3,
+    /// What left the scene.
+    pub left_power: DVec3,
+    /// What was still on its way when its path was cut off.
+    pub cut_off_power: DVec3,
+    /// The path that is followed now.
+    path: Option<OpenPath>,
+}
+
+/// A path of light on its way.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+struct OpenPath {
+    power: DVec3,
+    hit: bool,
+    reached_eye: bool,
+}
+
+impl LightCount {
+    /// Each number of paths and events with its name in reports, in a fixed order.
+    pub fn named(&self) -> [(&'static str, u64); 10] {
+        [
+            ("paths emitted", self.paths),
+            ("hit something", self.hit),
+            ("left the scene", self.left),
+            ("absorbed", self.absorbed),
+            ("cut off", self.cut_off),
+            ("reached the eye", self.reached_eye),
+            ("photons stored", self.stored),
+            ("gathered at points", self.gathered),
+            ("connecting lines", self.connections),
+            ("of them unblocked", self.connected),
+        ]
+    }
+
+    /// Each power with its name in reports: what was emitted, then where it went.
+    pub fn ledger(&self) -> [(&'static str, DVec3); 4] {
+        [
+            ("emitted", self.emitted_power),
+            ("absorbed", self.absorbed_power),
+            ("left the scene", self.left_power),
+            ("cut off", self.cut_off_power),
+        ]
+    }
+
+    /// The share of the paths that never reached the eye; `None` without paths.
+    pub fn wasted(&self) -> Option<f64> {
+        (0 < self.paths).then(|| 1.0 - self.reached_eye as f64 / self.paths as f64)
+    }
+
+    fn carried(&mut self, event: &Event) {
+        match event {
+            // what is met in a pixel is met by paths from the eye
+            Event::Pixel(_) => self.path = None,
+            Event::Path(start) => {
+                self.paths += 1;
+                self.emitted_power += start.power;
+                self.path = Some(OpenPath {
+                    power: start.power,
+                    ..OpenPath::default()
+                });
+            }
+            Event::Photon(photon) => {
+                if let Some(path) = &mut self.path {
+                    let leaving = photon.leaving();
+                    self.absorbed_power += photon.power - leaving;
+                    self.hit += u64::from(!path.hit);
+                    path.hit = true;
+                    path.power = leaving;
+                }
+            }
+            Event::Arrival(_) => self.reaches_eye(),
+            Event::Stored(_) => self.stored += 1,
+            Event::Gathered(_) => self.gathered += 1,
+            Event::Connection(connection) => {
+                self.connections += 1;
+                self.connected += u64::from(connection.visible);
+                if connection.contribution != DVec3::ZERO {
+                    self.reaches_eye();
+                }
+            }
+            _ => {}
+        }
+    }
+
+    fn reaches_eye(&mut self) {
+        if let Some(path) = &mut self.path {
+            self.reached_eye += u64::from(!path.reached_eye);
+            path.reached_eye = true;
+        }
+    }
+
+    fn leg_ended(&mut self, outcome: Outcome) {
+        let Some(path) = self.path else { return };
+        match outcome {
+            Outcome::Miss => {
+                self.left += 1;
+                self.left_power += path.power;
+            }
+            Outcome::CutOff => {
+                self.cut_off += 1;
+                self.cut_off_power += path.power;
+            }
+            Outcome::Absorbed => self.absorbed += 1,
+            _ => {}
+        }
+    }
+
+    fn add(&mut self, other: &Self) {
+        self.paths += other.paths;
+        self.hit += other.hit;
+        self.left += other.left;
+        self.absorbed += other.absorbed;
+        self.cut_off += other.cut_off;
+        self.reached_eye += other.reached_eye;
+        self.stored += other.stored;
+        self.gathered += other.gathered;
+        self.connections += other.connections;
+        self.connected += other.connected;
+        self.emitted_power += other.emitted_power;
+        self.absorbed_power += other.absorbed_power;
+        self.left_power += other.left_power;
+        self.cut_off_power += other.cut_off_power;
+    }
+}
+
 impl SearchCount {
     /// Each sum with its name in reports, in a fixed order.
     pub fn named(&self) -> [(&'static str, u64); 14] {
@@ -130,11 +287,14 @@ impl SearchCount {
 
 impl Counts {
     /// The purposes, in the order of [`Counts::rays`].
-    pub const PURPOSES: [Purpose; 4] = [
+    pub const PURPOSES: [Purpose; 7] = [
         Purpose::Eye,
         Purpose::Shadow,
         Purpose::Reflected,
         Purpose::Refracted,
+        Purpose::Scattered,
+        Purpose::Light,
+        Purpose::Connection,
     ];
 
     /// The kinds of test, in the order of [`Counts::tests`].
@@ -168,6 +328,7 @@ impl Counts {
             sum.sum(count);
         }
         self.search.add(&other.search);
+        self.light.add(&other.light);
     }
 
     /// All objects tested: a polygon counts once, by its plane.
@@ -212,14 +373,17 @@ impl Counts {
         let Some(purpose) = self.open.pop() else {
             return;
         };
+        if purpose == Purpose::Light {
+            self.light.leg_ended(end.outcome);
+        }
         let count = &mut self.rays[purpose as usize];
         match end.outcome {
             Outcome::DepthLimit => count.beyond_depth += 1,
-            Outcome::Hit | Outcome::Blocked => {
+            Outcome::Hit | Outcome::Blocked | Outcome::Absorbed | Outcome::CutOff => {
                 count.traced += 1;
                 count.hits += 1;
             }
-            Outcome::Miss | Outcome::ReachesLight => count.traced += 1,
+            Outcome::Miss | Outcome::ReachesLight | Outcome::Connects => count.traced += 1,
         }
     }
 }
@@ -242,6 +406,13 @@ impl Recorder for Counts {
             Event::PolygonTest { .. } => 5,
             Event::Ray(start) => return self.open.push(start.purpose),
             Event::RayEnd(end) => return self.ended(end),
+            Event::Path(_)
+            | Event::Photon(_)
+            | Event::Arrival(_)
+            | Event::Stored(_)
+            | Event::Gathered(_)
+            | Event::Connection(_)
+            | Event::Pixel(_) => return self.light.carried(&event),
             _ => return self.searched(&event),
         };
         let hit = event.test_hits() == Some(true);

@@ -12,6 +12,9 @@ use crate::geometry::{
 use crate::scene::{PhongTerm, PrimitiveId};
 use crate::structure::{AssignStep, MergeStep};
 use crate::trace::Kind;
+use crate::trace::light::{
+    Alternative, Arrival, Connection, Gathered, Nearby, PathStart, Photon, Stored,
+};
 use crate::trace::search::{
     Aligned, BoundTest, CellVisit, GridEnter, GridExit, HitOutsideCell, NodeVisit, QueueStep,
     SlabTest, ZSort,
@@ -121,6 +124,22 @@ pub enum Event {
     Aligned(Aligned),
     /// A hit has its place in the z sort.
     ZSort(ZSort),
+    /// A light sends out a photon: a path of light begins.
+    Path(PathStart),
+    /// Chance decides how a path goes on from a surface.
+    Photon(Photon),
+    /// A photon passes the window into the eye.
+    Arrival(Arrival),
+    /// A photon is stored on a surface.
+    Stored(Stored),
+    /// A stored photon is one of the nearest. All of them come before their `Gathered`.
+    Nearby(Nearby),
+    /// What is stored around a point was gathered.
+    Gathered(Gathered),
+    /// An edge of a path that could have been its connection. All edges come before their `Connection`.
+    Alternative(Alternative),
+    /// A path of light and one from the eye were connected.
+    Connection(Connection),
 }
 
 /// A place on the window.
@@ -159,6 +178,12 @@ pub enum Purpose {
     Reflected,
     /// On through a surface, bent by Snell's law.
     Refracted,
+    /// On from a diffuse surface, in a direction of chance.
+    Scattered,
+    /// From a light, and on from surface to surface: a leg of a path of light.
+    Light,
+    /// Between a path of light and a path from the eye.
+    Connection,
 }
 
 /// A ray at its start.
@@ -174,7 +199,7 @@ pub struct RayStart {
     pub depth: u32,
     /// Where an eye ray passes the window (erratum 4).
     pub window_t: Option<f64>,
-    /// The light that a shadow ray is cast to.
+    /// The light that a shadow ray is cast to, or that the first leg of a path comes from.
     pub light: Option<u32>,
 }
 
@@ -192,6 +217,12 @@ pub enum Outcome {
     ReachesLight,
     /// It was not traced: the depth limit is reached.
     DepthLimit,
+    /// It met an object, which absorbed what it carried.
+    Absorbed,
+    /// It met one surface more than its path may meet.
+    CutOff,
+    /// It connects its two ends: nothing stands between them.
+    Connects,
 }
 
 /// A ray at its end.
@@ -304,6 +335,14 @@ impl Event {
             Self::Align(_) => Kind::Align,
             Self::Aligned(_) => Kind::Aligned,
             Self::ZSort(_) => Kind::ZSort,
+            Self::Path(_) => Kind::Path,
+            Self::Photon(_) => Kind::Photon,
+            Self::Arrival(_) => Kind::Arrival,
+            Self::Stored(_) => Kind::Stored,
+            Self::Nearby(_) => Kind::Nearby,
+            Self::Gathered(_) => Kind::Gathered,
+            Self::Alternative(_) => Kind::Alternative,
+            Self::Connection(_) => Kind::Connection,
         }
     }
 

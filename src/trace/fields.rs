@@ -9,6 +9,7 @@ use serde_json::{Value, json};
 
 use crate::scene::PrimitiveId;
 use crate::trace::flat_json::Json;
+use crate::trace::kind::KindPlace;
 use crate::trace::number_texts::NumberTexts;
 use crate::trace::scanner::Scanner;
 use crate::trace::small_numbers::append_whole;
@@ -57,21 +58,37 @@ impl Fields for Record {
     #[inline]
     fn fields<V: Visitor>(&mut self, v: &mut V) {
         v.field("step", "", &mut self.step);
-        // what is built is built before the first pixel
-        if !self.event.kind().is_of_building() {
-            let mut pixel = self.pixel.unwrap_or_default();
-            v.field("pixel", "", &mut pixel);
-            self.pixel = Some(pixel);
+        match self.event.kind().place() {
+            KindPlace::Building => {}
+            KindPlace::Pixel => required(&mut self.pixel, "pixel", v),
+            KindPlace::Path => required(&mut self.path, "path", v),
+            KindPlace::Either => {
+                v.optional("pixel", "", &mut self.pixel);
+                v.optional("path", "", &mut self.path);
+                if self.pixel.is_some() == self.path.is_some() {
+                    v.fail("an event belongs to either a \"pixel\" or a \"path\"");
+                }
+            }
         }
         v.optional("ray", "", &mut self.ray);
         if let Event::Ray(_) = self.event {
             v.optional("parent", "", &mut self.parent);
         }
         self.event.fields(v);
-        if let Event::Pixel(sample) = &mut self.event {
-            sample.pixel = self.pixel.unwrap_or_default();
+        match &mut self.event {
+            Event::Pixel(sample) => sample.pixel = self.pixel.unwrap_or_default(),
+            Event::Path(start) => start.path = self.path.unwrap_or_default(),
+            _ => {}
         }
     }
+}
+
+/// What is always there, though it is kept as an option.
+#[inline]
+fn required<T: Field, V: Visitor>(value: &mut Option<T>, key: &'static str, v: &mut V) {
+    let mut there = value.unwrap_or_default();
+    v.field(key, "", &mut there);
+    *value = Some(there);
 }
 
 /// A value of a field, in JSON a scalar or a short list of numbers.

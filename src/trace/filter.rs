@@ -150,6 +150,7 @@ mod tests {
     fn record(kind: Kind, pixel: [u32; 2]) -> Record {
         Record {
             pixel: Some(pixel),
+            path: None,
             step: 0,
             ray: None,
             parent: None,

@@ -8,6 +8,9 @@ use crate::structure::{AssignStep, MergeStep};
 use crate::trace::event::{
     Event, LightTerm, Nearest, PixelColour, PixelSample, RayEnd, RayStart, Shade,
 };
+use crate::trace::light::{
+    Alternative, Arrival, Connection, Gathered, Nearby, PathStart, Photon, Stored,
+};
 use crate::trace::search::{
     Aligned, BoundTest, CellVisit, GridEnter, GridExit, HitOutsideCell, NodeVisit, QueueStep,
     SlabTest, ZSort,
@@ -47,13 +50,35 @@ pub enum Kind {
     Align,
     Aligned,
     ZSort,
+    Path,
+    Photon,
+    Arrival,
+    Stored,
+    Nearby,
+    Gathered,
+    Alternative,
+    Connection,
+}
+
+/// What an event of a kind belongs to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum KindPlace {
+    /// A structure, before the first pixel.
+    Building,
+    /// A path of light.
+    Path,
+    /// A pixel.
+    Pixel,
+    /// A path or a pixel.
+    Either,
 }
 
 impl Kind {
     /// All kinds, in the order in which a ray meets them.
-    pub const ALL: [Self; 30] = [
+    pub const ALL: [Self; 38] = [
         Self::Merge,
         Self::Assign,
+        Self::Path,
         Self::Pixel,
         Self::Ray,
         Self::Align,
@@ -77,8 +102,15 @@ impl Kind {
         Self::HitOutsideCell,
         Self::GridExit,
         Self::ZSort,
+        Self::Arrival,
+        Self::Stored,
+        Self::Nearby,
+        Self::Gathered,
         Self::LightTerm,
         Self::Refraction,
+        Self::Photon,
+        Self::Alternative,
+        Self::Connection,
         Self::Shade,
         Self::RayEnd,
         Self::PixelColour,
@@ -117,12 +149,35 @@ impl Kind {
             Self::Align => "align",
             Self::Aligned => "aligned",
             Self::ZSort => "z_sort",
+            Self::Path => "path",
+            Self::Photon => "photon",
+            Self::Arrival => "arrival",
+            Self::Stored => "stored",
+            Self::Nearby => "nearby",
+            Self::Gathered => "gathered",
+            Self::Alternative => "alternative",
+            Self::Connection => "connection",
         }
     }
 
     /// Does it happen while a structure is built, before the first pixel?
     pub const fn is_of_building(self) -> bool {
         matches!(self, Self::Merge | Self::Assign)
+    }
+
+    /// Where it can happen.
+    pub(crate) const fn place(self) -> KindPlace {
+        match self {
+            Self::Merge | Self::Assign => KindPlace::Building,
+            Self::Path | Self::Arrival | Self::Stored => KindPlace::Path,
+            Self::Pixel
+            | Self::PixelColour
+            | Self::LightTerm
+            | Self::Shade
+            | Self::Nearby
+            | Self::Gathered => KindPlace::Pixel,
+            _ => KindPlace::Either,
+        }
     }
 
     /// The kind with a name of the log.
@@ -185,6 +240,14 @@ impl Kind {
             Self::Align => Event::Align(Alignment::default()),
             Self::Aligned => Event::Aligned(Aligned::default()),
             Self::ZSort => Event::ZSort(ZSort::default()),
+            Self::Path => Event::Path(PathStart::default()),
+            Self::Photon => Event::Photon(Photon::default()),
+            Self::Arrival => Event::Arrival(Arrival::default()),
+            Self::Stored => Event::Stored(Stored::default()),
+            Self::Nearby => Event::Nearby(Nearby::default()),
+            Self::Gathered => Event::Gathered(Gathered::default()),
+            Self::Alternative => Event::Alternative(Alternative::default()),
+            Self::Connection => Event::Connection(Connection::default()),
         }
     }
 }

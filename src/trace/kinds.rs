@@ -40,6 +40,14 @@ impl Fields for Event {
             Self::Align(step) => step.fields(visitor),
             Self::Aligned(step) => step.fields(visitor),
             Self::ZSort(step) => step.fields(visitor),
+            Self::Path(step) => step.fields(visitor),
+            Self::Photon(step) => step.fields(visitor),
+            Self::Arrival(step) => step.fields(visitor),
+            Self::Stored(step) => step.fields(visitor),
+            Self::Nearby(step) => step.fields(visitor),
+            Self::Gathered(step) => step.fields(visitor),
+            Self::Alternative(step) => step.fields(visitor),
+            Self::Connection(step) => step.fields(visitor),
             Self::Listed { object } | Self::Mailbox { object } => {
                 object_field(object, "the object", visitor);
             }
@@ -116,7 +124,7 @@ impl Fields for RayStart {
             &mut self.window_t,
         );
         v.light(
-            "the light that a shadow ray is cast to",
+            "the light that a shadow ray is cast to, or a path comes from",
             &mut self.light,
             false,
         );

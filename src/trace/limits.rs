@@ -16,6 +16,8 @@ pub(super) struct Limits {
     pixels: [u32; 2],
     /// Objects, each face of a mesh one of them.
     objects: u32,
+    /// Paths of light.
+    paths: u64,
     /// Directions of slabs.
     slabs: u32,
     /// Cells along x, y and z, once they are known.
@@ -36,6 +38,7 @@ impl Limits {
         Self {
             pixels: scene.camera.pixels,
             objects,
+            paths: settings.light_paths(scene.camera.pixels),
             slabs,
             // a grid over no objects has no cells, whatever was asked for
             resolution: settings.structure.grid.resolution.filter(|_| 0 < objects),
@@ -46,15 +49,15 @@ impl Limits {
     /// Can there be what the record names by a number?
     #[inline]
     pub(super) fn check(&mut self, record: &Record) -> Result<(), Damage> {
-        if let Some([x, y]) = record.pixel {
-            let [width, height] = self.pixels;
-            if width <= x || height <= y {
-                return refused(format!(
-                    "there is no pixel [{x},{y}] in a picture of {width} × {height}"
-                ));
-            }
-        }
+        record.pixel.map_or(Ok(()), |pixel| self.pixel(pixel))?;
+        record.path.map_or(Ok(()), |path| self.path(path))?;
         match &record.event {
+            Event::Arrival(arrival) => self.pixel(arrival.pixel),
+            Event::Nearby(photon) => self.path(photon.path),
+            Event::Connection(connection) => {
+                self.path(connection.path)?;
+                connection.pixel.map_or(Ok(()), |pixel| self.pixel(pixel))
+            }
             Event::Merge(step) => {
                 self.node(step.node)?;
                 self.node(step.first)?;
@@ -80,6 +83,26 @@ impl Limits {
             Event::ZSort(step) => self.place(step.place),
             _ => Ok(()),
         }
+    }
+
+    fn pixel(&self, [x, y]: [u32; 2]) -> Result<(), Damage> {
+        let [width, height] = self.pixels;
+        if x < width && y < height {
+            return Ok(());
+        }
+        refused(format!(
+            "there is no pixel [{x},{y}] in a picture of {width} × {height}"
+        ))
+    }
+
+    fn path(&self, path: u32) -> Result<(), Damage> {
+        if u64::from(path) < self.paths {
+            return Ok(());
+        }
+        refused(format!(
+            "there is no path {path}: the trace has {}",
+            self.paths
+        ))
     }
 
     fn bounded(&self, of: Bounded) -> Result<(), Damage> {

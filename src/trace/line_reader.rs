@@ -84,6 +84,7 @@ pub(super) fn read_event(line: &[u8], names: &NameTable) -> Result<Record, Damag
 pub(super) fn blank(kind: Kind) -> Record {
     Record {
         pixel: None,
+        path: None,
         step: 0,
         ray: None,
         parent: None,

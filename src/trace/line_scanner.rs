@@ -119,6 +119,7 @@ mod tests {
     use super::*;
     use crate::geometry::{QuadraticTest, Root, Roots};
     use crate::scene::{Loaded, Scene, load_bytes};
+    use crate::trace::kind::KindPlace;
     use crate::trace::line_reader::read_event;
     use crate::trace::{Event, LogNames, write_event};
     use glam::DVec3;
@@ -183,10 +184,16 @@ mod tests {
         records
     }
 
-    /// A blank record in a pixel, unless it is of building.
+    /// A blank record in a pixel, unless it is of building or of a path of light.
     fn placed(kind: Kind) -> Record {
+        let (pixel, path) = match kind.place() {
+            KindPlace::Building => (None, None),
+            KindPlace::Path => (None, Some(0)),
+            KindPlace::Pixel | KindPlace::Either => (Some([0, 0]), None),
+        };
         Record {
-            pixel: (!kind.is_of_building()).then_some([0, 0]),
+            pixel,
+            path,
             ..blank(kind)
         }
     }

@@ -254,11 +254,15 @@ fn out_of_place(found: &Record, expected: &Place) -> Result<(), Damage> {
         Event::RayEnd(end) => Some([end.tests, end.hits]),
         _ => None,
     };
-    let what = if found.pixel != expected.pixel || found.step != expected.step {
+    let out_of_place =
+        found.pixel != expected.pixel || found.path != expected.path || found.step != expected.step;
+    let what = if out_of_place {
         let step = expected.step;
-        let of = expected
-            .pixel
-            .map_or(String::new(), |[x, y]| format!(" of pixel [{x},{y}]"));
+        let of = match (expected.pixel, expected.path) {
+            (Some([x, y]), _) => format!(" of pixel [{x},{y}]"),
+            (None, Some(path)) => format!(" of path {path}"),
+            (None, None) => String::new(),
+        };
         format!("step {step}{of} was to follow: a line is missing or out of its place")
     } else if found.ray != expected.ray || found.parent != expected.parent {
         "\"ray\" or \"parent\" does not fit the rays before it".into()

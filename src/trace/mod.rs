@@ -8,6 +8,9 @@ mod filter;
 mod flat_json;
 mod kind;
 mod kinds;
+mod light;
+mod light_kinds;
+mod light_options;
 mod limits;
 mod line_reader;
 mod line_scanner;
@@ -26,7 +29,7 @@ mod settings;
 mod small_numbers;
 mod words;
 
-pub use counts::{Counts, RayCount, SearchCount, TestCount};
+pub use counts::{Counts, LightCount, RayCount, SearchCount, TestCount};
 pub use event::{
     Event, LightTerm, Nearest, Outcome, PixelColour, PixelSample, Purpose, RayEnd, RayStart, Shade,
     Visibility,
@@ -34,6 +37,11 @@ pub use event::{
 pub use event_blocks::EventBlocks;
 pub use filter::{Budget, Filter, Kinds, Region};
 pub use kind::Kind;
+pub use light::{
+    Alternative, Arrival, Connection, Gathered, Nearby, PathStart, Photon, PhotonFate, Stored,
+    geometry_term,
+};
+pub use light_options::LightOptions;
 pub use log_error::LogError;
 pub use log_reader::{LogReader, begins_log};
 pub(crate) use log_writer::{EventWriter, write_event};

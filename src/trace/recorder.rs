@@ -51,9 +51,11 @@ impl<A: Recorder, B: Recorder> Recorder for (A, B) {
 /// An event with its place in the pixel's trace.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Record {
-    /// Column and row of the pixel; `None` while a structure is built, before the first one.
+    /// Column and row of the pixel; `None` on a path of light, and while a structure is built.
     pub pixel: Option<[u32; 2]>,
-    /// The number of the event in the pixel, from 0.
+    /// The number of the path of light; `None` in a pixel, and while a structure is built.
+    pub path: Option<u32>,
+    /// The number of the event in the pixel or on the path, from 0.
     pub step: u32,
     /// The ray it belongs to, numbered in the order of their starts from 0; `None` for the pixel's own.
     pub ray: Option<u32>,
@@ -83,13 +85,14 @@ impl<S: Sink> Sink for &mut S {
     }
 }
 
-/// Numbers the events and the rays of each pixel.
+/// Numbers the events and the rays of each pixel and each path of light.
 ///
 /// Rays nest: between a ray's start and its end lie its own tests and the whole of the rays sent on
 /// from it. So the ray that an event belongs to is the last one started and not ended.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Numbering {
     pixel: Option<[u32; 2]>,
+    path: Option<u32>,
     step: u32,
     rays: u32,
     /// The ray that events belong to now, and around it those it was sent on from.
@@ -109,6 +112,7 @@ struct OpenRay {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Place {
     pub(super) pixel: Option<[u32; 2]>,
+    pub(super) path: Option<u32>,
     pub(super) step: u32,
     pub(super) ray: Option<u32>,
     pub(super) parent: Option<u32>,
@@ -122,6 +126,7 @@ impl Numbering {
     pub(super) fn number(&mut self, mut event: Event) -> Record {
         let Place {
             pixel,
+            path,
             step,
             ray,
             parent,
@@ -132,11 +137,22 @@ impl Numbering {
         }
         Record {
             pixel,
+            path,
             step,
             ray,
             parent,
             event,
         }
+    }
+
+    /// A pixel or a path begins.
+    fn start(&mut self, pixel: Option<[u32; 2]>, path: Option<u32>) {
+        self.pixel = pixel;
+        self.path = path;
+        self.step = 0;
+        self.rays = 0;
+        self.innermost = OpenRay::default();
+        self.around.clear();
     }
 
     /// The place of the next event.
@@ -146,13 +162,13 @@ impl Numbering {
         let mut counted = None;
         let mut ray = self.innermost.number;
         match event {
-            // numbers start again with each pixel
+            // numbers start again with each pixel and with each path of light
             Event::Pixel(start) if start.sample == 0 => {
-                self.pixel = Some(start.pixel);
-                self.step = 0;
-                self.rays = 0;
-                self.innermost = OpenRay::default();
-                self.around.clear();
+                self.start(Some(start.pixel), None);
+                ray = None;
+            }
+            Event::Path(start) => {
+                self.start(None, Some(start.path));
                 ray = None;
             }
             Event::Ray(_) => {
@@ -181,6 +197,7 @@ impl Numbering {
         self.step += 1;
         Place {
             pixel: self.pixel,
+            path: self.path,
             step,
             ray,
             parent,

@@ -6,6 +6,7 @@ use serde_json::{Map, Value, json};
 
 use crate::scene::{PrimitiveId, SceneFile};
 use crate::trace::fields::{Field, Fields, Visitor};
+use crate::trace::kind::KindPlace;
 use crate::trace::log_writer::{Header, ObjectLine};
 use crate::trace::{Event, Kind};
 
@@ -50,13 +51,17 @@ fn of_kind(kind: &str, mut properties: Value, form: &Value) -> Value {
 /// A line for an event.
 fn event_schema(kind: Kind) -> Value {
     let described = described(kind);
-    json!({
+    let mut schema = json!({
         "title": kind.name(),
         "type": "object",
         "properties": described.properties,
         "required": described.required,
         "additionalProperties": false,
-    })
+    });
+    if kind.place() == KindPlace::Either {
+        schema["oneOf"] = json!([{ "required": ["pixel"] }, { "required": ["path"] }]);
+    }
+    schema
 }
 
 /// The keys that a line of this kind may have.
@@ -79,19 +84,27 @@ fn described(kind: Kind) -> Description {
     let mut step = 0_u32;
     description.field(
         "step",
-        "the number of the event in the pixel, from 0",
+        "the number of the event in the pixel or on the path, from 0",
         &mut step,
     );
     let pair = json!({
         "type": "array", "items": u32::schema(), "minItems": 2, "maxItems": 2
     });
-    let built = kind.is_of_building();
-    if !built {
-        description.add("pixel", "column and row from the top left", pair, true);
+    let of_path = u32::schema();
+    let place = kind.place();
+    let always = place != KindPlace::Either;
+    if matches!(place, KindPlace::Pixel | KindPlace::Either) {
+        description.add("pixel", "column and row from the top left", pair, always);
+    }
+    if matches!(place, KindPlace::Path | KindPlace::Either) {
+        let meaning = "the number of the path of light, from 0";
+        description.add("path", meaning, of_path, always);
     }
     let mut ray = Some(0_u32);
-    if !(built || matches!(kind, Kind::Pixel | Kind::PixelColour)) {
-        description.optional("ray", "the ray, numbered in the pixel from 0", &mut ray);
+    let of_no_ray = matches!(kind, Kind::Pixel | Kind::PixelColour | Kind::Path);
+    if !(place == KindPlace::Building || of_no_ray) {
+        let meaning = "the ray, numbered in the pixel or on the path from 0";
+        description.optional("ray", meaning, &mut ray);
     }
     let mut event = kind.blank();
     if let Event::Ray(_) = event {

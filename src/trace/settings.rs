@@ -1,40 +1,44 @@
 //! How a trace was made: what the log's header says beside the scene.
 
 use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
+use serde::ser::SerializeStruct;
+use serde::{Deserialize, Serialize, Serializer};
 
 use crate::structure::StructureOptions;
-use crate::trace::Region;
+use crate::trace::{LightOptions, Region};
 
 /// The choices that a trace depends on.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Settings {
     /// Which objects each ray is tested against.
     pub strategy: StrategyName,
     /// What was chosen about its structure; absent: nothing.
-    #[serde(default, skip_serializing_if = "is_default")]
+    #[serde(default)]
     pub structure: StructureOptions,
     /// Was the building of the structure recorded?
-    #[serde(default, skip_serializing_if = "is_default")]
+    #[serde(default)]
     pub building: bool,
     /// Which rays are cast at all.
     pub transport: Transport,
+    /// How light is followed from the lamps: the seed, how many paths. A transport that follows none has none in its log.
+    #[serde(default)]
+    pub light: LightOptions,
     /// Where the eye rays pass a pixel.
     pub through: Through,
     /// Do opaque objects show only their front?
     pub one_sided: bool,
     /// The kinds of event that were kept; absent: all.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(default)]
     pub only: Option<Vec<String>>,
     /// The pixels of which every event was kept, whatever `only` says; absent: none.
-    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    #[serde(default)]
     pub whole: Vec<[u32; 2]>,
     /// The figure that this was traced for, as in 12-grid/walk.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(default)]
     pub figure: Option<String>,
     /// The pixels that were kept; absent: all.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(default)]
     pub region: Option<Region>,
 }
 
@@ -45,12 +49,27 @@ impl Default for Settings {
             structure: StructureOptions::default(),
             building: false,
             transport: Transport::HybridLight,
+            light: LightOptions::default(),
             through: Through::Centres,
             one_sided: false,
             only: None,
             whole: Vec::new(),
             figure: None,
             region: None,
+        }
+    }
+}
+
+impl Settings {
+    /// How many paths of light there are over a picture of a size; 0 if the transport follows none.
+    pub fn light_paths(&self, [width, height]: [u32; 2]) -> u64 {
+        match self.transport {
+            Transport::Backward | Transport::HybridLight => 0,
+            Transport::Forward | Transport::HybridStored => self.light.paths,
+            Transport::HybridConnected => {
+                let pixels = u64::from(width) * u64::from(height);
+                pixels.saturating_mul(u64::from(self.light.samples))
+            }
         }
     }
 }
@@ -87,6 +106,33 @@ pub enum Transport {
     /// From the eye, with a ray to each light from each point.
     #[default]
     HybridLight,
+    /// From the lights alone; what passes the window into the eye makes the picture.
+    Forward,
+    /// From the lights, stored on the surfaces; then from the eye, gathering what is stored.
+    HybridStored,
+    /// From the lights and from the eye; lines connect the two.
+    HybridConnected,
+}
+
+impl Transport {
+    /// The five kinds, in the order of the slides.
+    pub const ALL: [Self; 5] = [
+        Self::Backward,
+        Self::Forward,
+        Self::HybridLight,
+        Self::HybridStored,
+        Self::HybridConnected,
+    ];
+
+    /// Are there paths of light, from the lights on? Then the light of the lamps is all there is: no ambient
+    /// light, which stands for what these paths compute, and no background.
+    #[inline]
+    pub const fn follows_light(self) -> bool {
+        matches!(
+            self,
+            Self::Forward | Self::HybridStored | Self::HybridConnected
+        )
+    }
 }
 
 /// Where the eye rays pass a pixel.
@@ -103,6 +149,38 @@ pub enum Through {
     Corners,
 }
 
-fn is_default<T: Default + PartialEq>(value: &T) -> bool {
-    *value == T::default()
+/// Written is what matters: options about light where light is followed, and what is not as usual.
+impl Serialize for Settings {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        /// More than there are: JSON does not need the number.
+        const FIELDS: usize = 11;
+        let usual = Self::default();
+        let mut line = serializer.serialize_struct("Settings", FIELDS)?;
+        line.serialize_field("strategy", &self.strategy)?;
+        if self.structure != usual.structure {
+            line.serialize_field("structure", &self.structure)?;
+        }
+        if self.building {
+            line.serialize_field("building", &self.building)?;
+        }
+        line.serialize_field("transport", &self.transport)?;
+        if self.transport.follows_light() {
+            line.serialize_field("light", &self.light)?;
+        }
+        line.serialize_field("through", &self.through)?;
+        line.serialize_field("one_sided", &self.one_sided)?;
+        if let Some(only) = &self.only {
+            line.serialize_field("only", only)?;
+        }
+        if !self.whole.is_empty() {
+            line.serialize_field("whole", &self.whole)?;
+        }
+        if let Some(figure) = &self.figure {
+            line.serialize_field("figure", figure)?;
+        }
+        if let Some(region) = &self.region {
+            line.serialize_field("region", region)?;
+        }
+        line.end()
+    }
 }

@@ -5,7 +5,8 @@ use crate::structure::{Across, Share, SlabOutcome, VolumeKind};
 use crate::trace::fields::Word;
 use crate::trace::kinds::{Parallel, RootCount, ToPlane};
 use crate::trace::{
-    AlignedPart, BoundOutcome, NodeOutcome, Outcome, Purpose, QueueAction, Visibility, WalkEnd,
+    AlignedPart, BoundOutcome, NodeOutcome, Outcome, PhotonFate, Purpose, QueueAction, Visibility,
+    WalkEnd,
 };
 
 /// Gives each value of an enum its word.
@@ -43,6 +44,9 @@ words!(Purpose {
     Shadow = "shadow",
     Reflected = "reflected",
     Refracted = "refracted",
+    Scattered = "scattered",
+    Light = "light",
+    Connection = "connection",
 });
 words!(Outcome {
     Hit = "hit",
@@ -50,6 +54,15 @@ words!(Outcome {
     Blocked = "blocked",
     ReachesLight = "reaches_light",
     DepthLimit = "depth_limit",
+    Absorbed = "absorbed",
+    CutOff = "cut_off",
+    Connects = "connects",
+});
+words!(PhotonFate {
+    Mirrored = "mirrored",
+    Refracted = "refracted",
+    Diffused = "diffused",
+    Absorbed = "absorbed",
 });
 words!(Visibility {
     Visible = "visible",

@@ -11,6 +11,7 @@ use crate::trace::{
     write_log_head,
 };
 use crate::tracer::in_order::{InOrder, Stopped, Tile};
+use crate::tracer::light_pass::PIECE as PATHS;
 use crate::tracer::{Tracer, trace_pixel};
 
 /// What of the trace is written.
@@ -22,6 +23,38 @@ pub struct LogOptions {
     pub kinds: Kinds,
     /// How many events at most.
     pub budget: u64,
+    /// The paths of light, where the transport follows any.
+    pub paths: LoggedPaths,
+}
+
+/// Which paths of light are written, before the pixels.
+#[derive(Clone, Debug, Default)]
+pub enum LoggedPaths {
+    /// None.
+    #[default]
+    None,
+    /// The first so many: all.
+    All(u64),
+    /// These.
+    Some(Vec<u32>),
+}
+
+impl LoggedPaths {
+    fn len(&self) -> usize {
+        match self {
+            Self::None => 0,
+            Self::All(count) => *count as usize,
+            Self::Some(paths) => paths.len(),
+        }
+    }
+
+    /// The number of the path at a place in the order.
+    fn get(&self, place: usize) -> u32 {
+        match self {
+            Self::None | Self::All(_) => place as u32,
+            Self::Some(paths) => paths[place],
+        }
+    }
 }
 
 /// Why a log was not written to its end.
@@ -33,16 +66,16 @@ pub enum LogStopped {
     Budget,
 }
 
-/// Writes the log of a region: the head, how the structure was built if that is wanted, then every pixel's
-/// events, scan line by scan line.
+/// Writes the log of a region: the head, how the structure was built if that is wanted, the paths of light,
+/// then every pixel's events, scan line by scan line.
 ///
-/// The scan lines are traced on the threads of the current pool and written in order: the same bytes
+/// Pieces of the paths and the scan lines are traced on the threads of the current pool and written in order: the same bytes
 /// on any number of threads, in memory that does not grow with the picture. `done` hears how many
 /// scan lines are finished. A pixel's eye rays are its own here, also through the corners, so that each
 /// pixel of the log stands alone.
 ///
-/// What else shall hear of the trace (`Counts`, or `Off`) is given back, one for each scan line from top
-/// to bottom.
+/// What else shall hear of the trace (`Counts`, or `Off`) is given back, one for each piece of the
+/// paths and for each scan line, in order.
 ///
 /// # Errors
 /// A failing output, or more events than the budget.
@@ -76,10 +109,11 @@ pub fn write_log<S: Strategy, R: Recorder + Default + Send>(
 
     let shared = InOrder::new(&mut out, budget);
     let rows = (bottom - top + 1) as usize;
+    // paths of light come before the pixels
+    let pieces = options.paths.len().div_ceil(PATHS as usize);
     let heard = Mutex::new(BTreeMap::new());
-    let stopped = shared.run(rows, |tile| {
-        let row = tile.number();
-        let y = top + row as u32;
+    let stopped = shared.run(pieces + rows, |tile| {
+        let number = tile.number();
         let recording = Recording::new(Filter {
             kinds: options.kinds,
             region: None,
@@ -89,10 +123,26 @@ pub fn write_log<S: Strategy, R: Recorder + Default + Send>(
             },
         });
         let mut both = (recording, R::default());
-        for x in left..=right {
-            trace_pixel(tracer, [x, y], settings.through, &mut both);
-            if both.0.sink().sink.tile.is_stopped() {
-                break;
+        match number.checked_sub(pieces) {
+            None => {
+                let first = number * PATHS as usize;
+                let last = (first + PATHS as usize).min(options.paths.len());
+                for place in first..last {
+                    tracer.trace_path(options.paths.get(place), &mut both);
+                    if both.0.sink().sink.tile.is_stopped() {
+                        break;
+                    }
+                }
+            }
+            Some(row) => {
+                let y = top + row as u32;
+                for x in left..=right {
+                    trace_pixel(tracer, [x, y], settings.through, &mut both);
+                    if both.0.sink().sink.tile.is_stopped() {
+                        break;
+                    }
+                }
+                done(finished.fetch_add(1, Ordering::Relaxed) + 1);
             }
         }
         let (recording, other) = both;
@@ -100,8 +150,7 @@ pub fn write_log<S: Strategy, R: Recorder + Default + Send>(
         heard
             .lock()
             .unwrap_or_else(PoisonError::into_inner)
-            .insert(row, other);
-        done(finished.fetch_add(1, Ordering::Relaxed) + 1);
+            .insert(number, other);
     });
     match stopped {
         Some(Stopped::Output(error)) => return Err(LogStopped::Output(error)),

@@ -6,9 +6,9 @@ use glam::DVec3;
 use rayon::prelude::*;
 
 use crate::strategy::Strategy;
-use crate::trace::{Recorder, Through};
-use crate::tracer::Tracer;
+use crate::trace::{Recorder, Through, Transport};
 use crate::tracer::pixel::mean;
+use crate::tracer::{Tracer, trace_pixel};
 
 /// The colours of a picture, row by row from the top left, before they are cut to 0..1.
 #[derive(Clone, Debug, PartialEq)]
@@ -42,6 +42,12 @@ pub fn render<S: Strategy, R: Recorder + Default + Send>(
 ) -> (Picture, Vec<R>) {
     let camera = &tracer.scene.camera;
     let [width, height] = camera.pixels.map(|side| side as usize);
+    // what light itself brings comes to the whole area of a pixel
+    let by_pixel = matches!(
+        tracer.transport,
+        Transport::Forward | Transport::HybridConnected
+    );
+    let through = if by_pixel { Through::Centres } else { through };
     // the grid of eye rays: one in each cell, or one on each crossing of its lines
     let (columns, rows, offset) = match through {
         Through::Centres => (width, height, 0.5),
@@ -53,6 +59,10 @@ pub fn render<S: Strategy, R: Recorder + Default + Send>(
         let mut recorder = R::default();
         let colours: Vec<DVec3> = (0..columns)
             .map(|column| {
+                if by_pixel {
+                    let pixel = [column as u32, row as u32];
+                    return trace_pixel(tracer, pixel, through, &mut recorder);
+                }
                 let (ray, window_t) = camera.eye_ray(column as f64 + offset, row as f64 + offset);
                 tracer.eye_ray(ray, window_t, &mut recorder)
             })

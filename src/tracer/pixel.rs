@@ -3,8 +3,8 @@
 use glam::{DVec2, DVec3};
 
 use crate::strategy::Strategy;
-use crate::trace::{Event, PixelColour, PixelSample, Recorder, Through};
-use crate::tracer::Tracer;
+use crate::trace::{Event, PixelColour, PixelSample, Recorder, Through, Transport};
+use crate::tracer::{LightPass, Tracer};
 
 /// The places through which a pixel's eye rays pass, in pixels from the window's top left corner.
 ///
@@ -35,6 +35,24 @@ pub fn trace_pixel<S: Strategy, R: Recorder>(
     through: Through,
     recorder: &mut R,
 ) -> DVec3 {
+    match (tracer.transport, tracer.light) {
+        (Transport::Forward, Some(light)) => seen_pixel(tracer, light, pixel, recorder),
+        (Transport::HybridConnected, Some(light)) => {
+            let raw = tracer.connected_pixel(light, pixel, recorder);
+            note_colour(raw, recorder);
+            raw
+        }
+        _ => eye_pixel(tracer, pixel, through, recorder),
+    }
+}
+
+/// A pixel into which eye rays are sent.
+fn eye_pixel<S: Strategy, R: Recorder>(
+    tracer: &Tracer<'_, S>,
+    pixel: [u32; 2],
+    through: Through,
+    recorder: &mut R,
+) -> DVec3 {
     let places = eye_samples(pixel, through);
     let samples = places.len();
     let mut colours = [DVec3::ZERO; 4];
@@ -54,11 +72,37 @@ pub fn trace_pixel<S: Strategy, R: Recorder>(
         colours[sample] = tracer.eye_ray(ray, window_t, recorder);
     }
     let raw = mean(colours[..samples].iter().copied());
+    note_colour(raw, recorder);
+    raw
+}
+
+/// A pixel into which photons have come: no ray is sent from it.
+fn seen_pixel<S: Strategy, R: Recorder>(
+    tracer: &Tracer<'_, S>,
+    light: &LightPass,
+    pixel: [u32; 2],
+    recorder: &mut R,
+) -> DVec3 {
+    recorder.note(|| {
+        let place = DVec2::new(f64::from(pixel[0]) + 0.5, f64::from(pixel[1]) + 0.5);
+        Event::Pixel(PixelSample {
+            pixel,
+            sample: 0,
+            samples: 0,
+            place,
+            point: tracer.scene.camera.window_point(place.x, place.y),
+        })
+    });
+    let raw = light.seen(pixel);
+    note_colour(raw, recorder);
+    raw
+}
+
+fn note_colour<R: Recorder>(raw: DVec3, recorder: &mut R) {
     recorder.note(|| {
         Event::PixelColour(PixelColour {
             raw,
             clamped: raw.clamp(DVec3::ZERO, DVec3::ONE),
         })
     });
-    raw
 }

@@ -6,6 +6,7 @@
 
 mod aligned;
 mod arrival;
+mod carried;
 mod cells;
 mod leaves;
 mod misses;
@@ -163,6 +164,9 @@ impl Solution<'_> {
         let transport = match self.settings.transport {
             Transport::Backward => "backward, without rays to the lights",
             Transport::HybridLight => "backward with rays to the lights",
+            Transport::Forward => "forward, from the lights into the eye",
+            Transport::HybridStored => "forward, stored on the surfaces, then backward",
+            Transport::HybridConnected => "forward and backward, with connecting lines",
         };
         let objects = self.scene.primitives.len();
         let sides = if self.settings.one_sided {

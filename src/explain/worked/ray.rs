@@ -89,6 +89,7 @@ impl Solution<'_> {
                     self.search(event, &course);
                     course.last = Some(*event);
                 }
+                Step::Carried(event) => self.carried(event),
                 Step::Nearest(hit) => self.nearest(*hit, &mut course),
             }
         }
@@ -110,6 +111,12 @@ impl Solution<'_> {
             },
             Purpose::Reflected => "reflected".into(),
             Purpose::Refracted => "refracted".into(),
+            Purpose::Scattered => "scattered".into(),
+            Purpose::Light => match start.light {
+                Some(light) => format!("from the light {}", self.light_name(light)),
+                None => "on from the surface".into(),
+            },
+            Purpose::Connection => "between the two paths".into(),
         };
         let of = parent.map_or(String::new(), |parent| {
             format!(", sent on from ray {parent}")
@@ -167,6 +174,9 @@ impl Solution<'_> {
                 }
             }
             Purpose::Refracted => self.page.plain(format!("Δ = T = {}", d.vector(direction))),
+            Purpose::Scattered | Purpose::Light | Purpose::Connection => {
+                self.page.plain(format!("Δ = {}", d.vector(direction)));
+            }
         }
         self.page.plain(format!(
             "(x, y, z) = {} + t·{} … (i){}",
@@ -286,6 +296,11 @@ impl Solution<'_> {
                 "not traced, since the depth limit is {}: no light comes this way",
                 self.scene.max_depth
             ),
+            Outcome::Absorbed => format!("meets {object}{at}, which absorbs it"),
+            Outcome::CutOff => {
+                format!("meets {object}{at}: one surface more than a path may meet")
+            }
+            Outcome::Connects => "nothing in between".into(),
         }
     }
 
@@ -296,8 +311,12 @@ impl Solution<'_> {
         }
         let d = Digits::USUAL;
         let tone = match end.outcome {
-            Outcome::Hit | Outcome::ReachesLight => Tone::Found,
-            Outcome::Miss | Outcome::Blocked | Outcome::DepthLimit => Tone::Refused,
+            Outcome::Hit | Outcome::ReachesLight | Outcome::Connects => Tone::Found,
+            Outcome::Miss
+            | Outcome::Blocked
+            | Outcome::DepthLimit
+            | Outcome::Absorbed
+            | Outcome::CutOff => Tone::Refused,
         };
         match (end.outcome, end.colour) {
             (Outcome::Hit, Some(colour)) => {

@@ -227,7 +227,11 @@ impl Solution<'_> {
             let (weight, word) = match start.purpose {
                 Purpose::Reflected => (shade.reflection, "reflection·I_reflected"),
                 Purpose::Refracted => (shade.transmission, "transmission·I_refracted"),
-                Purpose::Eye | Purpose::Shadow => continue,
+                Purpose::Eye
+                | Purpose::Shadow
+                | Purpose::Scattered
+                | Purpose::Light
+                | Purpose::Connection => continue,
             };
             words.push(word);
             terms.push(format!("{}·{}", d.number(weight), d.vector(end.colour?)));

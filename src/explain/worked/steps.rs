@@ -65,6 +65,8 @@ pub(super) enum Step {
     Shade(Shade),
     /// A step of the search: a bound, a node, a cell, an alignment.
     Search(Event),
+    /// Light on its way: what chance decided, what was stored, gathered, connected.
+    Carried(Event),
     /// A hit became the nearest apart from its test.
     Nearest(Nearest),
 }
@@ -157,7 +159,15 @@ fn add(event: &Event, steps: &mut Vec<Step>) {
         | Event::Merge(_)
         | Event::Assign(_)
         | Event::Ray(_)
-        | Event::RayEnd(_) => return,
+        | Event::RayEnd(_)
+        | Event::Path(_) => return,
+        Event::Photon(_)
+        | Event::Arrival(_)
+        | Event::Stored(_)
+        | Event::Nearby(_)
+        | Event::Gathered(_)
+        | Event::Alternative(_)
+        | Event::Connection(_) => Step::Carried(*event),
         Event::BoundTest(_)
         | Event::SlabTest(_)
         | Event::Node(_)

@@ -372,6 +372,7 @@ mod tests {
         let size = 0;
         Record {
             pixel: Some([0, 0]),
+            path: None,
             step,
             ray: Some(0),
             parent: None,

@@ -97,7 +97,9 @@ fn layer(purpose: Purpose) -> Layer {
     match purpose {
         Purpose::Eye => Layer::Ray,
         Purpose::Shadow => Layer::ShadowRays,
-        Purpose::Reflected | Purpose::Refracted => Layer::Secondary,
+        Purpose::Reflected | Purpose::Refracted | Purpose::Scattered => Layer::Secondary,
+        Purpose::Light => Layer::LightPaths,
+        Purpose::Connection => Layer::Connections,
     }
 }
 
@@ -107,6 +109,9 @@ fn look(purpose: Purpose) -> Look {
         Purpose::Shadow => Look::SHADOW_RAY,
         Purpose::Reflected => Look::REFLECTED_RAY,
         Purpose::Refracted => Look::REFRACTED_RAY,
+        Purpose::Scattered => Look::REFLECTED_RAY,
+        Purpose::Light => Look::LIGHT_RAY,
+        Purpose::Connection => Look::CONNECTION,
     }
 }
 
@@ -117,6 +122,9 @@ fn name(purpose: Purpose) -> &'static str {
         Purpose::Shadow => "ray to the light",
         Purpose::Reflected => "reflected",
         Purpose::Refracted => "refracted",
+        Purpose::Scattered => "scattered",
+        Purpose::Light => "path of light",
+        Purpose::Connection => "connecting line",
     }
 }
 
@@ -137,6 +145,9 @@ fn legend(
         Purpose::Shadow,
         Purpose::Reflected,
         Purpose::Refracted,
+        Purpose::Scattered,
+        Purpose::Light,
+        Purpose::Connection,
     ];
     let entries: Vec<(Look, &str)> = all
         .into_iter()
@@ -243,6 +254,9 @@ fn in_words(figure: &Figure, node: &RayNode) -> Option<String> {
         Purpose::Shadow => format!("The ray to the light{to_light}"),
         Purpose::Reflected => "The reflected ray".into(),
         Purpose::Refracted => "The refracted ray".into(),
+        Purpose::Scattered => "The scattered ray".into(),
+        Purpose::Light => format!("The path of light{to_light}"),
+        Purpose::Connection => "The connecting line".into(),
     };
     Some(match end.outcome {
         Outcome::Hit => format!("{what} meets {object}."),
@@ -250,5 +264,8 @@ fn in_words(figure: &Figure, node: &RayNode) -> Option<String> {
         Outcome::Blocked => format!("{what} is blocked by {object}."),
         Outcome::ReachesLight => format!("{what} arrives."),
         Outcome::DepthLimit => format!("{what} is not traced: the depth limit is reached."),
+        Outcome::Absorbed => format!("{what} is absorbed by {object}."),
+        Outcome::CutOff => format!("{what} is cut off at {object}."),
+        Outcome::Connects => format!("{what} meets nothing."),
     })
 }

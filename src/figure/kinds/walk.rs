@@ -151,6 +151,7 @@ mod tests {
     fn records(events: &[Event]) -> Vec<Record> {
         let record = |(step, event): (u32, &Event)| Record {
             pixel: Some([0, 0]),
+            path: None,
             step,
             ray: Some(0),
             parent: None,

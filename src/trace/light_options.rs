@@ -1,0 +1,43 @@
+//! What the transports that follow light from the lamps depend on.
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// How light is followed from the lamps. Each transport looks at some of these.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(default, deny_unknown_fields)]
+pub struct LightOptions {
+    /// Where chance begins: the same seed gives the same paths.
+    pub seed: u64,
+    /// How many paths of light there are, for forward and hybrid-stored.
+    pub paths: u64,
+    /// How many paths from the eye each pixel has, and of light as many, for hybrid-connected.
+    pub samples: u32,
+    /// How many surfaces a path may meet; absent: as many as chance leaves it, up to 10 000.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub bounces: Option<u32>,
+    /// The radius of the eye's aperture, for forward; absent: a twentieth of the way from the COP to the window's
+    /// centre.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub aperture: Option<f64>,
+    /// How many of the nearest photons are gathered, for hybrid-stored.
+    pub nearest: u32,
+    /// Light is stored in maps, with so many cells along the longer side of a flat surface, for hybrid-stored;
+    /// absent: photon by photon.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub map: Option<u32>,
+}
+
+impl Default for LightOptions {
+    fn default() -> Self {
+        Self {
+            seed: 1,
+            paths: 200_000,
+            samples: 4,
+            bounces: None,
+            aperture: None,
+            nearest: 50,
+            map: None,
+        }
+    }
+}

@@ -1,0 +1,111 @@
+//! An illumination map: light that has fallen on a flat surface, cell by cell.
+//!
+//! J. Arvo, *Backward ray tracing* (1986): a surface's own texture, into which light is traced.
+
+use glam::{DVec2, DVec3};
+
+use crate::geometry::polygon_in_rectangle;
+use crate::tracer::flat_face::{along, on_plane};
+
+/// The map of one side of a flat face.
+#[derive(Clone, Debug)]
+pub(super) struct IlluminationMap {
+    origin: DVec3,
+    /// Unit vectors along the columns and the rows.
+    axes: [DVec3; 2],
+    /// The lower left corner of the first cell.
+    corner: DVec2,
+    /// How wide and high a cell is.
+    cell: f64,
+    columns: usize,
+    outline: Vec<DVec2>,
+    /// What has fallen on each cell, in watts, and how many photons brought it.
+    cells: Vec<(DVec3, u32)>,
+}
+
+/// What a map says about a place.
+pub(super) struct CellLight {
+    pub(super) power: DVec3,
+    pub(super) count: u32,
+    /// What of the cell the surface covers.
+    pub(super) area: f64,
+}
+
+impl IlluminationMap {
+    /// An empty map with square cells, so many along the longer side of the corners' extent.
+    pub(super) fn new(corners: &[DVec3], normal: DVec3, along_longer: u32) -> Self {
+        let axes = along(normal);
+        let origin = corners.first().copied().unwrap_or_default();
+        let outline: Vec<DVec2> = on_plane(corners, origin, axes).collect();
+        let low = outline.iter().copied().fold(DVec2::INFINITY, DVec2::min);
+        let high = outline
+            .iter()
+            .copied()
+            .fold(DVec2::NEG_INFINITY, DVec2::max);
+        let size = high - low;
+        let cell = size.max_element() / f64::from(along_longer);
+        let [columns, rows] = size
+            .to_array()
+            .map(|side| (side / cell).ceil().max(1.0) as usize);
+        Self {
+            origin,
+            axes,
+            corner: low,
+            cell,
+            columns,
+            outline,
+            cells: vec![(DVec3::ZERO, 0); columns * rows],
+        }
+    }
+
+    /// A photon falls on the surface.
+    pub(super) fn add(&mut self, point: DVec3, power: DVec3) {
+        let (index, _) = self.cell_at(point);
+        let (sum, count) = &mut self.cells[index];
+        *sum += power;
+        *count += 1;
+    }
+
+    /// What has fallen on the cell around a point.
+    pub(super) fn look_up(&self, point: DVec3) -> CellLight {
+        let (index, corner) = self.cell_at(point);
+        let (power, count) = self.cells[index];
+        let area = polygon_in_rectangle(&self.outline, corner, corner + DVec2::splat(self.cell));
+        CellLight { power, count, area }
+    }
+
+    /// The number of the cell, and its lower left corner. A point on the rim belongs to the cell inside.
+    fn cell_at(&self, point: DVec3) -> (usize, DVec2) {
+        let offset = point - self.origin;
+        let place = DVec2::new(offset.dot(self.axes[0]), offset.dot(self.axes[1])) - self.corner;
+        let rows = self.cells.len() / self.columns;
+        let number =
+            |along: f64, count: usize| ((along / self.cell).max(0.0) as usize).min(count - 1);
+        let (column, row) = (number(place.x, self.columns), number(place.y, rows));
+        let corner = self.corner + self.cell * DVec2::new(column as f64, row as f64);
+        (row * self.columns + column, corner)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_cell_at_the_rim_is_as_large_as_what_the_surface_covers_of_it() {
+        // a right triangle of sides 4: with cells of 1, the ten cells on and below the diagonal
+        let corners = [[0.0, 0.0, 5.0], [4.0, 0.0, 5.0], [0.0, 4.0, 5.0]].map(DVec3::from);
+        let mut map = IlluminationMap::new(&corners, DVec3::Z, 4);
+        let inner = DVec3::new(0.5, 0.5, 5.0);
+        let rim = DVec3::new(2.2, 1.3, 5.0);
+        map.add(inner, DVec3::ONE);
+        map.add(rim, DVec3::new(0.0, 2.0, 0.0));
+        map.add(rim, DVec3::new(1.0, 0.0, 0.0));
+        let found = map.look_up(DVec3::new(0.9, 0.1, 5.0));
+        assert_eq!((found.power, found.count), (DVec3::ONE, 1));
+        assert!((found.area - 1.0).abs() <= 1e-14);
+        let found = map.look_up(rim);
+        assert_eq!((found.power, found.count), (DVec3::new(1.0, 2.0, 0.0), 2));
+        assert!((found.area - 0.5).abs() <= 1e-14, "{}", found.area);
+    }
+}

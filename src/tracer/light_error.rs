@@ -1,0 +1,166 @@
+//! Why light cannot be followed through a scene.
+
+use std::fmt;
+use std::time::Duration;
+
+/// Why light cannot be followed.
+#[derive(Clone, Debug, PartialEq)]
+pub enum LightError {
+    /// There is no light at all.
+    NoLights,
+    /// A light says a colour, not what it sends out.
+    NoPower {
+        /// Its place in the scene.
+        number: usize,
+        /// Its name.
+        light: String,
+    },
+    /// A surface would send on more than arrives.
+    Albedo {
+        /// The material.
+        material: String,
+        /// What it would send on of one channel.
+        sum: f64,
+    },
+    /// A light stands in matter that it cannot leave and that nothing shows from inside.
+    Inside {
+        /// The light.
+        light: String,
+        /// The object.
+        object: String,
+    },
+    /// No path is to be followed.
+    NoPaths {
+        /// The option that says so.
+        option: &'static str,
+    },
+    /// More paths than there can be, or than there is memory for.
+    TooMany {
+        /// How many.
+        paths: u64,
+        /// The option that says so.
+        option: &'static str,
+        /// How long they would take.
+        time: Duration,
+        /// How much memory they would take; 0 where nothing is stored.
+        bytes: f64,
+        /// How many there may be, by that option.
+        most: u64,
+    },
+    /// Nothing absorbs the light, and none of it gets out: it would become more and more.
+    Endless {
+        /// How many surfaces a path has met when it was given up.
+        surfaces: u32,
+    },
+    /// A number out of its range.
+    OutOfRange {
+        /// The option.
+        option: &'static str,
+        /// What it must be.
+        must: &'static str,
+    },
+}
+
+impl fmt::Display for LightError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::NoLights => {
+                f.write_str("the scene has no lights, and light is to be followed from them")
+            }
+            Self::NoPower { number, light } => write!(
+                f,
+                "lights[{number}], {light:?}, has a colour and no power: how much light it sends out is not known"
+            ),
+            Self::Albedo { material, sum } => write!(
+                f,
+                "materials.{material} would send on {sum} times what arrives: energy would grow at every surface"
+            ),
+            Self::Inside { light, object } => write!(
+                f,
+                "the light {light:?} stands inside {object:?}, which is opaque and does not face inwards"
+            ),
+            Self::NoPaths { option } => write!(f, "{option} 0: no light would be followed"),
+            Self::TooMany {
+                paths, time, bytes, ..
+            } => {
+                write!(
+                    f,
+                    "{paths} paths of light would take about {}",
+                    Estimate(*time)
+                )?;
+                if 0.0 < *bytes {
+                    write!(f, " and {} of memory", Bytes(*bytes))?;
+                }
+                Ok(())
+            }
+            Self::Endless { surfaces } => write!(
+                f,
+                "a path of light met {surfaces} surfaces and went on: nothing absorbs it, and it does not get out"
+            ),
+            Self::OutOfRange { option, must } => write!(f, "{option} must be {must}"),
+        }
+    }
+}
+
+impl std::error::Error for LightError {}
+
+impl LightError {
+    /// What to do about it.
+    pub fn fix(&self) -> String {
+        match self {
+            Self::NoLights => {
+                "give the scene a light, such as { \"position\": [0, 4, 0], \"power\": 100 }".into()
+            }
+            Self::NoPower { number, .. } => format!(
+                "replace lights[{number}].colour by \"power\", in watts, or take --transport hybrid-light"
+            ),
+            Self::Albedo { material, .. } => format!(
+                "lower diffuse, reflection or transmission of materials.{material}, so that for each channel \
+                 colour·diffuse + reflection + transmission is at most 1"
+            ),
+            Self::Inside { object, .. } => format!(
+                "move the light, or give {object:?} \"sides\": \"back\" to show it from inside"
+            ),
+            Self::NoPaths { option } => format!("give {option} a number of at least 1"),
+            Self::TooMany { option, most, .. } => {
+                format!("give {option} a number of at most {most}")
+            }
+            Self::Endless { .. } => {
+                "lower the albedo of a material, or end the paths with --bounces, such as --bounces 20".into()
+            }
+            Self::OutOfRange { option, .. } => format!("change {option}"),
+        }
+    }
+}
+
+/// A time, roughly.
+struct Estimate(Duration);
+
+impl fmt::Display for Estimate {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let seconds = self.0.as_secs_f64();
+        let units = [
+            (31_557_600.0, "years"),
+            (86_400.0, "days"),
+            (3_600.0, "hours"),
+            (60.0, "minutes"),
+        ];
+        let unit = units
+            .into_iter()
+            .find(|(length, _)| 2.0 * length <= seconds);
+        let (length, unit) = unit.unwrap_or((1.0, "seconds"));
+        write!(f, "{:.0} {unit}", seconds / length)
+    }
+}
+
+/// An amount of memory, roughly.
+struct Bytes(f64);
+
+impl fmt::Display for Bytes {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let units = [(1e15, "PB"), (1e12, "TB"), (1e9, "GB"), (1e6, "MB")];
+        let unit = units.into_iter().find(|(size, _)| *size <= self.0);
+        let (size, unit) = unit.unwrap_or((1e3, "kB"));
+        write!(f, "{:.0} {unit}", self.0 / size)
+    }
+}

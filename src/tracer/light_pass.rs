@@ -1,0 +1,231 @@
+//! The first half of the transports that follow light: all paths of light, over threads, and what they leave.
+
+use std::collections::BTreeSet;
+
+use glam::DVec3;
+use rayon::prelude::*;
+
+use crate::scene::Scene;
+use crate::strategy::Strategy;
+use crate::trace::{Event, LightOptions, Recorder, Region, Settings, Through, Transport};
+use crate::tracer::flat_face::Patch;
+use crate::tracer::forward::Eye;
+use crate::tracer::hybrid_stored::{StoredLight, StoredPhoton, Storing};
+use crate::tracer::light_path::Lamps;
+use crate::tracer::{Tracer, trace_pixel};
+
+/// How many paths a thread follows at a time.
+pub(super) const PIECE: u64 = 1024;
+
+/// How many pieces are followed before their yield is put together: memory stays small, and the sums are made in
+/// the order of the paths on any number of threads.
+const PIECES: u64 = 64;
+
+/// What the paths of light have left.
+#[derive(Clone, Debug)]
+pub struct LightPass {
+    pub(super) options: LightOptions,
+    pub(super) lamps: Lamps,
+    pixels: [u32; 2],
+    /// What each pixel sees of the paths themselves, row by row; empty where light is stored.
+    seen: Vec<DVec3>,
+    stored: StoredLight,
+    /// The paths that pixels of a region have seen.
+    reached: BTreeSet<u32>,
+}
+
+/// What some paths have left.
+#[derive(Default)]
+struct Yield {
+    seen: Vec<Seen>,
+    stored: Vec<(Patch, StoredPhoton)>,
+}
+
+/// A pixel has seen a path.
+struct Seen {
+    path: u32,
+    pixel: [u32; 2],
+    radiance: DVec3,
+}
+
+impl LightPass {
+    /// Follows all paths of light, on the threads of the current pool; `None` if the transport follows none.
+    ///
+    /// Of the pixels in `region` it is remembered which paths they saw. `heard` is given what the recorders have
+    /// heard, piece by piece in the order of the paths; `done` hears how many paths have been followed.
+    pub fn new<S: Strategy, R: Recorder + Default + Send>(
+        scene: &Scene,
+        strategy: &S,
+        settings: &Settings,
+        region: Option<Region>,
+        mut heard: impl FnMut(R),
+        done: impl Fn(u64),
+    ) -> Option<Self> {
+        if !settings.transport.follows_light() {
+            return None;
+        }
+        let tracer = Tracer::new(scene, strategy, settings.transport);
+        let lamps = Lamps::new(scene, settings);
+        let pixels = scene.camera.pixels;
+        let mut seen = match settings.transport {
+            Transport::Forward | Transport::HybridConnected => {
+                vec![DVec3::ZERO; pixels[0] as usize * pixels[1] as usize]
+            }
+            _ => Vec::new(),
+        };
+        let mut stored = Vec::new();
+        let mut reached = BTreeSet::new();
+
+        let piece = |number: u64| {
+            let mut left = Yield::default();
+            let mut recorder = R::default();
+            let first = number * PIECE;
+            for path in first..(first + PIECE).min(lamps.paths) {
+                left.add(&tracer, &lamps, &settings.light, path as u32, &mut recorder);
+            }
+            (left, recorder)
+        };
+        let pieces = lamps.paths.div_ceil(PIECE);
+        for first in (0..pieces).step_by(PIECES as usize) {
+            let last = (first + PIECES).min(pieces);
+            let together: Vec<_> = (first..last).into_par_iter().map(piece).collect();
+            for (left, recorder) in together {
+                for Seen {
+                    path,
+                    pixel,
+                    radiance,
+                } in left.seen
+                {
+                    seen[place(pixel, pixels)] += radiance;
+                    if region.is_some_and(|region| region.contains(pixel)) {
+                        reached.insert(path);
+                    }
+                }
+                stored.extend(left.stored);
+                heard(recorder);
+            }
+            done((last * PIECE).min(lamps.paths));
+        }
+        Some(Self {
+            options: settings.light,
+            lamps,
+            pixels,
+            seen,
+            stored: StoredLight::new(scene, &settings.light, stored),
+            reached,
+        })
+    }
+
+    /// The light that is stored on the surfaces.
+    pub fn stored(&self) -> &StoredLight {
+        &self.stored
+    }
+
+    /// What a pixel has seen of the paths themselves.
+    pub(super) fn seen(&self, pixel: [u32; 2]) -> DVec3 {
+        let place = place(pixel, self.pixels);
+        self.seen.get(place).copied().unwrap_or_default()
+    }
+}
+
+/// The paths of light that led to the colours of a region, in order: those that its pixels saw, those that their
+/// gathered photons came on, and those that its own paths were connected to.
+///
+/// The light pass must have been made with the same region.
+pub fn paths_behind<S: Strategy>(
+    tracer: &Tracer<'_, S>,
+    region: Region,
+    through: Through,
+) -> BTreeSet<u32> {
+    let Some(light) = tracer.light else {
+        return BTreeSet::new();
+    };
+    let mut paths = light.reached.clone();
+    if tracer.transport == Transport::Forward {
+        return paths;
+    }
+    for y in region.from[1]..=region.to[1] {
+        for x in region.from[0]..=region.to[0] {
+            let mut behind = PathsBehind { paths: &mut paths };
+            trace_pixel(tracer, [x, y], through, &mut behind);
+        }
+    }
+    paths
+}
+
+/// Hears which paths of light a pixel's colour comes from. A recorder.
+struct PathsBehind<'a> {
+    paths: &'a mut BTreeSet<u32>,
+}
+
+impl Recorder for PathsBehind<'_> {
+    const ENABLED: bool = true;
+
+    fn note(&mut self, event: impl FnOnce() -> Event) {
+        match event() {
+            Event::Nearby(photon) => self.paths.insert(photon.path),
+            Event::Connection(connection) => self.paths.insert(connection.path),
+            _ => return,
+        };
+    }
+}
+
+impl<S: Strategy> Tracer<'_, S> {
+    /// Follows a path of light once more, with everything that happens on it.
+    pub fn trace_path<R: Recorder>(&self, path: u32, recorder: &mut R) {
+        if let Some(light) = self.light {
+            Yield::default().add(self, &light.lamps, &light.options, path, recorder);
+        }
+    }
+}
+
+impl Yield {
+    /// Follows one path, and adds what it leaves.
+    fn add<S: Strategy, R: Recorder>(
+        &mut self,
+        tracer: &Tracer<'_, S>,
+        lamps: &Lamps,
+        options: &LightOptions,
+        path: u32,
+        recorder: &mut R,
+    ) {
+        let camera = &tracer.scene.camera;
+        match tracer.transport {
+            // they follow no light
+            Transport::Backward | Transport::HybridLight => {}
+            Transport::Forward => {
+                let mut eye = Eye::new(camera, options);
+                tracer.follow_light(lamps, path, &mut eye, recorder);
+                self.seen.extend(eye.arrivals.iter().map(|arrival| Seen {
+                    path,
+                    pixel: arrival.pixel,
+                    radiance: arrival.radiance,
+                }));
+            }
+            Transport::HybridStored => {
+                let mut storing = Storing {
+                    scene: tracer.scene,
+                    path,
+                    photons: std::mem::take(&mut self.stored),
+                };
+                tracer.follow_light(lamps, path, &mut storing, recorder);
+                self.stored = storing.photons;
+            }
+            Transport::HybridConnected => {
+                let lines = tracer.seen_by_the_eye(lamps, path, recorder);
+                self.seen.extend(lines.iter().filter_map(|line| {
+                    Some(Seen {
+                        path,
+                        pixel: line.pixel.filter(|_| line.visible)?,
+                        radiance: line.contribution,
+                    })
+                }));
+            }
+        }
+    }
+}
+
+/// The place of a pixel in a picture, row by row from the top left.
+fn place([x, y]: [u32; 2], [width, _]: [u32; 2]) -> usize {
+    y as usize * width as usize + x as usize
+}
