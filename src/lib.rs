@@ -59,9 +59,9 @@ pub mod tracer;
 
 pub use book::{BookError, BookMistake, BookOptions, Preprocessed, preprocess};
 pub use explain::{
-    Compared, Comparison, Cost, InAdvance, WorkedOptions, counts_json, counts_text, in_advance,
-    in_advance_json, in_advance_text, pixel_json, printable, strategies_to_compare,
-    worked_solution,
+    Compared, Comparison, Cost, ErrorOf, InAdvance, TransportComparison, TransportCost,
+    WorkedOptions, counts_json, counts_text, in_advance, in_advance_json, in_advance_text,
+    pixel_json, printable, strategies_to_compare, worked_solution,
 };
 pub use figure::{
     Drawn, DroppedAxis, FigureError, FigureKind, FigureSpec, Layer, OF_EVERY_PIXEL, Raster,
@@ -75,8 +75,8 @@ pub use geometry::{
     mean_value_weights, polygon_in_rectangle, reflect, refract, slab_directions,
 };
 pub use lesson::{
-    FigureName, Lesson, LessonError, LessonFile, Library, compare, lesson_schema,
-    scan_lines_to_compare, trace_figure,
+    FigureName, Lesson, LessonError, LessonFile, Library, compare, compare_transports,
+    lesson_schema, light_of_lamps, scan_lines_to_compare, trace_figure,
 };
 pub use scene::{
     Camera, Emission, Fault, Light, LoadError, Loaded, Material, Materials, Normals, Object,
@@ -100,8 +100,8 @@ pub use trace::{
     LogNames, LogReader, Nearby, Nearest, NodeOutcome, NodeVisit, Off, Outcome, PathStart, Photon,
     PhotonFate, PixelColour, PixelSample, Purpose, QueueAction, QueueStep, RayCount, RayEnd,
     RayNode, RayStart, RayTree, Record, Recorder, Recording, Region, Settings, Shade, Sink,
-    SlabTest, Stored, StrategyName, TestCount, Through, Transport, Visibility, WalkEnd, ZSort,
-    begins_log, geometry_term, scene_schema, trace_schema, write_log_head,
+    SlabTest, Stored, StrategyName, TestCount, Through, Transport, UsefulRays, Visibility, WalkEnd,
+    ZSort, begins_log, geometry_term, scene_schema, trace_schema, write_log_head,
 };
 pub use tracer::{
     EPSILON, Heat, HeatLine, HeatOf, LightError, LightPass, LogOptions, LogStopped, LoggedPaths,

@@ -9,7 +9,7 @@ use crate::book::value::value;
 use crate::explain::{WorkedOptions, worked_solution};
 use crate::figure::FigureSpec;
 use crate::figure::{Rendition, Traced, Width};
-use crate::lesson::{FigureName, Lesson, Library, compare};
+use crate::lesson::{FigureName, Lesson, Library, compare, compare_transports, light_of_lamps};
 use crate::scene::nearest_name;
 use crate::trace::{Kind, Kinds};
 
@@ -275,18 +275,30 @@ fn only(names: &str) -> Result<Kinds, String> {
     Ok(Kinds::of(&kinds))
 }
 
-/// What every strategy costs on the figure's pixel, or on its picture.
+/// What every strategy costs on the figure's pixel, or on its picture; or what each kind of ray tracing costs and
+/// brings.
 fn table(named: &Named, words: &[String]) -> Result<String, String> {
     let mut pixel = named.spec.traced_pixels().first().copied();
+    let mut transports = false;
     for word in words {
         match word.as_str() {
             "picture" => pixel = None,
-            _ => return Err(unknown_option(word, &["picture"])),
+            "transports" => transports = true,
+            _ => return Err(unknown_option(word, &["picture", "transports"])),
         }
     }
-    let traced = first(named)?;
-    let comparison = compare(&traced.scene, &traced.settings, pixel, |_| {});
-    let rows = comparison.rows();
+    let Traced {
+        scene, settings, ..
+    } = first(named)?;
+    let (title, rows) = if transports {
+        let scene = light_of_lamps(scene.clone());
+        let comparison = compare_transports(&scene, settings, |_| {})
+            .map_err(|fault| format!("{fault}: {}", fault.fix()))?;
+        (comparison.title(), comparison.rows())
+    } else {
+        let comparison = compare(scene, settings, pixel, |_| {});
+        (comparison.title(), comparison.rows())
+    };
     let row = |cells: &[String], tag: &str| {
         let cells = cells.iter().enumerate().map(|(place, cell)| {
             let align = if place == 0 {
@@ -302,7 +314,7 @@ fn table(named: &Named, words: &[String]) -> Result<String, String> {
     let body: String = body.iter().map(|cells| row(cells, "td")).collect();
     Ok(format!(
         "<div class=\"table-wrapper\"><table class=\"raystep-compare\"><caption>{}</caption><thead>{}</thead><tbody>{body}</tbody></table></div>",
-        escaped(&comparison.title()),
+        escaped(&title),
         row(head, "th")
     ))
 }

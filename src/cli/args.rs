@@ -34,7 +34,7 @@ pub(crate) enum Verb {
     Trace(TraceArgs),
     /// Write the picture as PNG.
     Render(RenderArgs),
-    /// Compare what the strategies cost on the same rays.
+    /// Compare what the strategies cost on the same rays, or what the kinds of ray tracing bring.
     Compare(CompareArgs),
     /// Draw a figure of a lesson as SVG.
     Figure(FigureArgs),
@@ -262,17 +262,22 @@ pub(crate) struct RenderArgs {
     pub(crate) tracing: Tracing,
 }
 
-/// The strategies side by side.
+/// The strategies side by side, or the kinds of ray tracing.
 #[derive(Debug, ClapArgs)]
 #[command(after_help = "Examples:
   raystep compare scene.json --chart cost.svg
-  raystep compare scene.json 80,60 --format json")]
+  raystep compare scene.json 80,60 --format json
+  raystep compare scene.json --transports --paths 1000000")]
 pub(crate) struct CompareArgs {
     /// Scene (.json, .nff, .obj); - is standard input
     pub(crate) scene: PathBuf,
     /// The rays of one pixel alone: column and row, counted from 0,0 at the top left
     #[arg(value_name = "X,Y", value_parser = pixel)]
     pub(crate) pixel: Option<[u64; 2]>,
+    /// Compare the five kinds of ray tracing instead: rays cast, rays that contributed, and the error of the
+    /// light
+    #[arg(long, conflicts_with_all = ["pixel", "chart", "transport", "through"])]
+    pub(crate) transports: bool,
     /// Text, JSON with all counts, or CSV
     #[arg(long, value_enum, default_value = "text", hide_possible_values = true)]
     #[arg(value_name = "text|json|csv")]

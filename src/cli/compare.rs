@@ -2,7 +2,10 @@
 
 use std::time::Instant;
 
-use raystep::{Exhaustive, Loaded, check_light, compare, cost_chart, scan_lines_to_compare};
+use raystep::{
+    Exhaustive, Loaded, Transport, check_light, compare, compare_transports, cost_chart,
+    light_of_lamps, scan_lines_to_compare,
+};
 
 use crate::cli::Error;
 use crate::cli::args::{CompareArgs, TableFormat, Tracing};
@@ -10,7 +13,7 @@ use crate::cli::input::{self, Input, Ready};
 use crate::cli::light::tell_notes;
 use crate::cli::output::{self, Output};
 use crate::cli::pixel::inside;
-use crate::cli::progress::{bar, on_threads};
+use crate::cli::progress::{bar, bar_of, on_threads};
 
 /// Begins the ids of the chart.
 const CHART_ID: &str = "raystep-compare";
@@ -23,6 +26,9 @@ pub(crate) fn run(args: &CompareArgs) -> Result<(), Error> {
             what: "the table goes to standard output, and so would the chart".into(),
             fix: "name a file with --chart".into(),
         });
+    }
+    if args.transports {
+        return transports(args);
     }
     let ready = scene_of(args, input::ready)?;
     let scene = &ready.scene;
@@ -62,4 +68,26 @@ fn scene_of(
         Input::Scene(loaded) => ready(*loaded, &tracing, started),
         Input::Log(_) => Err(input::needs_scene(&args.scene, "a comparison needs")),
     }
+}
+
+/// Prints what each kind of ray tracing costs and brings.
+fn transports(args: &CompareArgs) -> Result<(), Error> {
+    let ready = scene_of(args, input::ready_for_all)?;
+    let scene = light_of_lamps(ready.scene);
+    let bar = bar_of(Transport::ALL.len() as u64, "kinds of ray tracing");
+    let compared = on_threads(args.threads, || {
+        let done = |done| bar.set_position(done);
+        compare_transports(&scene, &ready.settings, done)
+    })?;
+    bar.finish_and_clear();
+    let comparison = compared.map_err(|fault| Error::Light {
+        file: input::name_of(&args.scene),
+        fault,
+    })?;
+    let table = match args.format {
+        TableFormat::Text => comparison.text(),
+        TableFormat::Json => format!("{:#}\n", comparison.json()),
+        TableFormat::Csv => comparison.csv(),
+    };
+    Output::standard().write_whole(table.as_bytes())
 }

@@ -8,6 +8,7 @@ use std::time::Duration;
 use serde_json::{Value, json};
 
 use crate::explain::counts::tests_of;
+use crate::explain::table::{aligned, csv_row};
 use crate::explain::variants::variant_name;
 use crate::explain::{
     counts_json, grouped, in_advance, in_advance_json, in_advance_text, printable,
@@ -274,17 +275,19 @@ impl Comparison<'_> {
 
     /// A row for each strategy under a row of keys; the same columns for every scene (RFC 4180).
     pub fn csv(&self) -> String {
-        let keys = COLUMNS.map(|(_, key)| key.to_owned());
-        let mut text = csv_row("strategy", &keys, "error");
+        let row = |name: &str, cells: [String; COLUMNS.len()], error: &str| {
+            let cells = cells.iter().map(String::as_str);
+            csv_row(std::iter::once(name).chain(cells).chain([error]))
+        };
+        let mut text = row("strategy", COLUMNS.map(|(_, key)| key.into()), "error");
         for compared in &self.compared {
             let name = compared.name();
             text += &match &compared.cost {
-                Ok(cost) => csv_row(&name, &self.cells(cost), ""),
-                Err(why) => csv_row(
-                    &name,
-                    &[const { String::new() }; COLUMNS.len()],
-                    &in_one_line(why),
-                ),
+                Ok(cost) => row(&name, self.cells(cost), ""),
+                Err(why) => {
+                    let none = [const { String::new() }; COLUMNS.len()];
+                    row(&name, none, &in_one_line(why))
+                }
             };
         }
         text
@@ -297,80 +300,7 @@ fn per_ray(counts: &Counts) -> f64 {
     counts.objects_tested() as f64 / counts.traced().max(1) as f64
 }
 
-/// Names to the left, numbers to the right, each column as wide as its widest cell. A row of two cells in a
-/// wider table is a name with a remark.
-fn aligned(table: &[Vec<String>]) -> String {
-    let columns = table.first().map_or(0, Vec::len);
-    let width = |column: usize| {
-        let rows = table
-            .iter()
-            .filter(|row| column == 0 || row.len() == columns);
-        let cells = rows.filter_map(|row| row.get(column));
-        cells.map(|cell| cell.chars().count()).max().unwrap_or(0)
-    };
-    let widths: Vec<usize> = (0..columns).map(width).collect();
-    let mut text = String::new();
-    for row in table {
-        let mut line = String::new();
-        for (column, (cell, width)) in row.iter().zip(&widths).enumerate() {
-            // a remark is longer than its column, and moves nothing
-            let cell = match column {
-                0 => format!("{cell:<width$}"),
-                _ if row.len() < columns => cell.clone(),
-                _ => format!("{cell:>width$}"),
-            };
-            line += &cell;
-            line += "  ";
-        }
-        text += line.trim_end();
-        text.push('\n');
-    }
-    text
-}
-
-/// A row of CSV: cells with commas, quotes or line breaks are quoted (RFC 4180, 2.6 and 2.7).
 /// What is wrong and what to do about it, which stand on two lines elsewhere.
 fn in_one_line(why: &StructureError) -> String {
     why.to_string().replace("\n  ", "; ")
-}
-
-fn csv_row(name: &str, cells: &[String], error: &str) -> String {
-    let cells = cells.iter().map(String::as_str);
-    let all = std::iter::once(name).chain(cells).chain([error]);
-    let quoted = all.map(|cell| {
-        if cell.contains([',', '"', '\n', '\r']) {
-            format!("\"{}\"", cell.replace('"', "\"\""))
-        } else {
-            cell.into()
-        }
-    });
-    let row: Vec<String> = quoted.collect();
-    format!("{}\n", row.join(","))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_cell_with_a_comma_or_a_quote_is_quoted() {
-        let cells = ["a, \"b\"".to_owned(), "7".to_owned()];
-        assert_eq!(csv_row("x", &cells, ""), "x,\"a, \"\"b\"\"\",7,\n");
-    }
-
-    #[test]
-    fn numbers_end_in_one_column_and_a_remark_widens_none() {
-        let rows = [
-            vec!["name", "number", "n"],
-            vec!["a", "104857600", "1"],
-            vec!["long name", "not built: a long reason"],
-        ];
-        let table = rows.map(|row| row.into_iter().map(String::from).collect());
-        assert_eq!(
-            aligned(&table),
-            "name          number  n\n\
-             a          104857600  1\n\
-             long name  not built: a long reason\n"
-        );
-    }
 }

@@ -8,6 +8,8 @@ mod counts;
 mod json;
 mod number;
 mod page;
+mod table;
+mod transports;
 mod variants;
 mod worked;
 
@@ -17,5 +19,6 @@ pub use counts::{counts_json, counts_text};
 pub use json::pixel_json;
 pub(crate) use number::{grouped, shown};
 pub use page::printable;
+pub use transports::{ErrorOf, TransportComparison, TransportCost};
 pub use variants::strategies_to_compare;
 pub use worked::{WorkedOptions, worked_solution};

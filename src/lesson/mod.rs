@@ -1,12 +1,14 @@
 //! The course's data: lesson files, and the traces that their figures are drawn from.
 
 mod compare;
+mod compare_transports;
 mod error;
 mod file;
 mod library;
 mod trace;
 
 pub use compare::{compare, scan_lines_to_compare};
+pub use compare_transports::{compare_transports, light_of_lamps};
 pub use error::LessonError;
 pub use file::{LessonFile, lesson_schema};
 pub use library::{FigureName, Lesson, Library};

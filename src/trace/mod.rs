@@ -27,6 +27,7 @@ mod search;
 mod search_kinds;
 mod settings;
 mod small_numbers;
+mod useful_rays;
 mod words;
 
 pub use counts::{Counts, LightCount, RayCount, SearchCount, TestCount};
@@ -56,3 +57,4 @@ pub use search::{
     HitOutsideCell, NodeOutcome, NodeVisit, QueueAction, QueueStep, SlabTest, WalkEnd, ZSort,
 };
 pub use settings::{Settings, StrategyName, Through, Transport};
+pub use useful_rays::UsefulRays;
