@@ -6,6 +6,7 @@
 
 mod arguments;
 mod lessons;
+pub(crate) mod light;
 mod nff_and_obj;
 mod options;
 mod scenes;

@@ -146,6 +146,22 @@ fn drawings(page: &str) -> Vec<String> {
 }
 
 #[test]
+fn the_kinds_of_ray_tracing_are_compared_where_a_book_asks_for_it() {
+    let first = "# One\n\n{{#raystep-compare 01-ball/hit transports}}\n";
+    let book = TestBook::new(first, "A");
+    let scene = SCENE.replace("NAME", "\"A\"").replace(
+        "\"materials\"",
+        "\"lights\": [{ \"position\": [0, 0, 0], \"power\": 9 }], \"materials\"",
+    );
+    fs::write(book.0.path().join("course/01-ball/scene.json"), scene).unwrap();
+    let out = String::from_utf8(book.preprocess("0.5.4").stdout).unwrap();
+    assert!(out.contains("<td>backward</td>"), "{out}");
+    assert!(out.contains("<td>hybrid-connected</td>"), "{out}");
+    assert!(out.contains(">waste %</th>"), "{out}");
+    assert!(!out.contains("seconds"), "{out}");
+}
+
+#[test]
 fn a_book_with_all_four_directives_is_built() {
     let book = TestBook::new(FIRST, "A");
     let before = book.source();
@@ -236,6 +252,10 @@ fn a_broken_directive_fails_the_build_with_chapter_and_line() {
         ),
         ("{{#raystep-log 01-ball/hit ray=9}}", "its rays are 0 to 0"),
         ("{{#raystep-compare 01-ball/hit all}}", "picture"),
+        (
+            "{{#raystep-compare 01-ball/hit transports}}",
+            "the scene has no lights",
+        ),
         ("{{#raystep 01-ball/hit", "it has no end"),
         ("see {{#raystep 01-ball/hit}}", "a line of its own"),
     ] {

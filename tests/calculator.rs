@@ -223,11 +223,7 @@ fn solution(scene: &str, pixel: [u32; 2], settings: &Settings) -> String {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(scene);
     let scene = load(&path).unwrap().build().unwrap();
     let strategy = Chosen::new(&scene, settings.strategy, &settings.structure).unwrap();
-    let tracer = Tracer {
-        scene: &scene,
-        strategy: &strategy,
-        transport: Transport::HybridLight,
-    };
+    let tracer = Tracer::new(&scene, &strategy, Transport::HybridLight);
     let mut recording = Recording::new(Vec::new());
     if settings.building {
         strategy.note_building(&mut recording);

@@ -3,6 +3,7 @@
 mod chart;
 mod heat;
 mod not_built;
+mod transports;
 
 use raystep::{
     Compared, Comparison, Cost, Counts, Exhaustive, Scene, Settings, Through, Tracer, Transport,
@@ -326,11 +327,7 @@ fn the_slides_example_takes_as_many_tests_as_the_slides_say() {
     // 1024 × 1024 and 100: erratum 9
     let scene = lesson();
     let strategy = Exhaustive::new(&scene);
-    let tracer = Tracer {
-        scene: &scene,
-        strategy: &strategy,
-        transport: Transport::Backward,
-    };
+    let tracer = Tracer::new(&scene, &strategy, Transport::Backward);
     let (_, lines) = render::<_, Counts>(&tracer, Through::Centres, |_| {});
     let tests: u64 = lines.iter().map(Counts::objects_tested).sum();
     assert_eq!(tests, 104_857_600);

@@ -41,11 +41,7 @@ fn counts_of(name: &str) -> Counts {
 }
 
 fn counts_with(scene: &Scene, strategy: &impl Strategy) -> Counts {
-    let tracer = Tracer {
-        scene,
-        strategy,
-        transport: Transport::HybridLight,
-    };
+    let tracer = Tracer::new(scene, strategy, Transport::HybridLight);
     let (_, lines) = render::<_, Counts>(&tracer, Through::Corners, |_| {});
     let mut sum = Counts::default();
     for line in &lines {

@@ -6,6 +6,8 @@ use jsonschema::Validator;
 use raystep::{Kind, scene_schema, trace_schema};
 use serde_json::{Value, json};
 
+use crate::bad_input::light::LAMP;
+use crate::cli::run::Folder;
 use crate::recording::NFF;
 use crate::trace_log::strategies::{built_cases, log_with_building};
 use crate::trace_log::{EXAMPLE, MIXED, all_of, cases, loaded_nff, log};
@@ -178,6 +180,17 @@ fn lines() -> Vec<Value> {
         let text = String::from_utf8(log_with_building(&scene, &settings, pixel)).unwrap();
         lines.extend(text.lines().map(parsed));
     }
+    // an eye that is wider than anybody's, and of the paths those that arrive in it
+    let folder = Folder::empty().with("scene.json", LAMP);
+    for options in [
+        "--transport forward --paths 20000 --aperture 1 --region 0,0-7,5",
+        "--transport hybrid-stored --paths 50",
+        "--transport hybrid-connected --samples 1",
+    ] {
+        let text = folder.run(&format!("trace scene.json {options}")).well();
+        let text = String::from_utf8(text).unwrap();
+        lines.extend(text.lines().map(parsed));
+    }
     lines
 }
 
@@ -219,8 +232,10 @@ fn a_line_with_a_wrong_key_or_value_is_refused() {
         refused("/colour_of_money", Some(json!(1)));
         refused("/step", None);
         // what is built is built before the first pixel
-        let pixel = kind.is_of_building().then(|| json!([0, 0]));
+        let pixel = good.get("pixel").is_none().then(|| json!([0, 0]));
         refused("/pixel", pixel);
+        let path = good.get("path").is_none().then(|| json!(0));
+        refused("/path", path);
         refused("/kind", None);
         refused("/step", Some(json!(-1)));
         refused("/step", Some(json!(0.5)));

@@ -21,6 +21,7 @@ mod seeded;
 mod sphere_exact;
 mod strategies;
 mod trace_log;
+mod transports;
 mod watertight;
 mod worked_solution;
 mod z_aligned;

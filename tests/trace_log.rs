@@ -8,9 +8,9 @@ use std::io::{self, Write};
 use std::path::Path;
 
 use raystep::{
-    Chosen, Kind, Kinds, Loaded, LogOptions, LogReader, LogStopped, Off, Record, Recording, Region,
-    Scene, Settings, Strategy, Through, Tracer, WorkedOptions, load, load_bytes, trace_pixel,
-    worked_solution, write_log,
+    Chosen, Kind, Kinds, Loaded, LogOptions, LogReader, LogStopped, LoggedPaths, Off, Record,
+    Recording, Region, Scene, Settings, Strategy, Through, Tracer, WorkedOptions, load, load_bytes,
+    trace_pixel, worked_solution, write_log,
 };
 use serde_json::Value;
 
@@ -86,11 +86,7 @@ pub(crate) fn tracer<'a>(
     strategy: &'a Chosen<'a>,
     settings: &Settings,
 ) -> Tracer<'a, Chosen<'a>> {
-    Tracer {
-        scene,
-        strategy,
-        transport: settings.transport,
-    }
+    Tracer::new(scene, strategy, settings.transport)
 }
 
 /// Everything in a region.
@@ -99,6 +95,7 @@ pub(crate) fn all_of(region: Region) -> LogOptions {
         region,
         kinds: Kinds::ALL,
         budget: u64::MAX,
+        paths: LoggedPaths::None,
     }
 }
 
@@ -269,6 +266,7 @@ fn a_filter_keeps_the_lines_that_a_filter_of_the_whole_log_keeps() {
                 region,
                 kinds: Kinds::of(kinds),
                 budget: u64::MAX,
+                paths: LoggedPaths::None,
             };
             let kept = String::from_utf8(log(&scene, &settings, &options)).unwrap();
             let expected: String = text

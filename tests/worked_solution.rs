@@ -40,11 +40,7 @@ fn scene() -> Scene {
 
 fn records(scene: &Scene) -> Vec<Record> {
     let strategy = Exhaustive::new(scene);
-    let tracer = Tracer {
-        scene,
-        strategy: &strategy,
-        transport: Transport::HybridLight,
-    };
+    let tracer = Tracer::new(scene, &strategy, Transport::HybridLight);
     let mut recording = Recording::new(Vec::new());
     trace_pixel(&tracer, [0, 0], Through::Centres, &mut recording);
     recording.into_sink()

@@ -67,11 +67,7 @@ impl Part {
 
         let settings = Settings::default();
         let strategy = Exhaustive::new(&scene);
-        let tracer = Tracer {
-            scene: &scene,
-            strategy: &strategy,
-            transport: settings.transport,
-        };
+        let tracer = Tracer::new(&scene, &strategy, settings.transport);
         let lines = Recording::new(LineSink::new(&names));
         let mut both = (Recording::new(Vec::new()), lines);
         for x in SIDE / 2.. {

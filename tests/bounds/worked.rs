@@ -17,11 +17,7 @@ fn solution<const N: usize>(
     pixel: [u32; 2],
 ) -> String {
     let strategy = BoundedObjects::new(scene, kind, set);
-    let tracer = Tracer {
-        scene,
-        strategy: &strategy,
-        transport: Transport::HybridLight,
-    };
+    let tracer = Tracer::new(scene, &strategy, Transport::HybridLight);
     let mut recording = Recording::new(Vec::new());
     trace_pixel(&tracer, pixel, Through::Centres, &mut recording);
     let options = WorkedOptions::default();

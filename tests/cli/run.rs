@@ -41,6 +41,13 @@ impl Ran {
         self.stdout
     }
 
+    /// The notes of a run that went well.
+    #[track_caller]
+    pub(crate) fn noted(self) -> String {
+        assert_eq!(self.code, Some(0), "{}", self.stderr);
+        self.stderr
+    }
+
     /// The message of a run that was refused.
     #[track_caller]
     pub(crate) fn refused(self) -> String {

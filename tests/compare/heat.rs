@@ -23,11 +23,7 @@ const LEAST: [u8; 3] = [68, 1, 84];
 const MOST: [u8; 3] = [253, 231, 37];
 
 fn values<S: Strategy>(scene: &Scene, strategy: &S, of: HeatOf, through: Through) -> Vec<f64> {
-    let tracer = Tracer {
-        scene,
-        strategy,
-        transport: Transport::HybridLight,
-    };
+    let tracer = Tracer::new(scene, strategy, Transport::HybridLight);
     let (_, lines) = render::<_, HeatLine>(&tracer, through, |_| {});
     heat_values(&lines, of, through)
 }

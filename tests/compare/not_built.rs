@@ -57,11 +57,7 @@ fn a_structure_that_cannot_be_built_is_told_and_the_others_go_on() {
 
 fn cost_of_the_first_pixel(scene: &Scene, settings: &Settings) -> Result<Cost, StructureError> {
     let strategy = Chosen::new(scene, settings.strategy, &settings.structure)?;
-    let tracer = Tracer {
-        scene,
-        strategy: &strategy,
-        transport: settings.transport,
-    };
+    let tracer = Tracer::new(scene, &strategy, settings.transport);
     let mut counts = Counts::default();
     trace_pixel(&tracer, [0, 0], settings.through, &mut counts);
     Ok(Cost {

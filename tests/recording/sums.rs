@@ -23,7 +23,7 @@ pub(super) struct Sums {
     /// Of the rays that have started in this pixel: what for.
     purposes: Vec<Purpose>,
     /// By purpose: traced, hit, beyond the depth limit.
-    rays: [[u64; 3]; 4],
+    rays: [[u64; 3]; 7],
     /// By kind: tests, hits.
     tests: [[u64; 2]; 6],
     /// What the ends of the rays say: tests, hits.
@@ -51,7 +51,8 @@ impl Sink for Sums {
                     Outcome::DepthLimit => *beyond += 1,
                     outcome => {
                         *traced += 1;
-                        *hits += u64::from([Outcome::Hit, Outcome::Blocked].contains(&outcome));
+                        *hits +=
+                            u64::from(![Outcome::Miss, Outcome::ReachesLight].contains(&outcome));
                     }
                 }
                 self.told[0] += u64::from(end.tests);

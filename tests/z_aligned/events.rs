@@ -165,11 +165,7 @@ fn the_working_is_told_in_the_numbers_of_the_frame() {
     let loaded = load_bytes("345.json", ALONG_3_4_5.as_bytes(), Path::new("")).unwrap();
     let scene = loaded.build().unwrap();
     let strategy = ZAligned::new(&scene);
-    let tracer = Tracer {
-        scene: &scene,
-        strategy: &strategy,
-        transport: Transport::HybridLight,
-    };
+    let tracer = Tracer::new(&scene, &strategy, Transport::HybridLight);
     let mut recording = Recording::new(Vec::new());
     trace_pixel(&tracer, [0, 0], Through::Centres, &mut recording);
     let records = recording.into_sink();

@@ -362,6 +362,9 @@ fn purpose_word(purpose: Purpose) -> &'static str {
         Purpose::Shadow => "shadow",
         Purpose::Reflected => "reflected",
         Purpose::Refracted => "refracted",
+        Purpose::Scattered => "scattered",
+        Purpose::Light => "light",
+        Purpose::Connection => "connection",
     }
 }
 
@@ -372,6 +375,9 @@ fn outcome_word(outcome: Outcome) -> &'static str {
         Outcome::Blocked => "blocked",
         Outcome::ReachesLight => "reaches_light",
         Outcome::DepthLimit => "depth_limit",
+        Outcome::Absorbed => "absorbed",
+        Outcome::CutOff => "cut_off",
+        Outcome::Connects => "connects",
     }
 }
 
