@@ -5,8 +5,8 @@ use std::time::Instant;
 
 use raystep::{
     Budget, Counts, Filter, Kind, Kinds, LineSink, LogNames, LogOptions, LogStopped, LoggedPaths,
-    Off, Recorder, Region, Scene, Settings, Sink, Strategy, Tracer, paths_behind, write_log,
-    write_log_head,
+    Off, PathSieve, Record, Recorder, Region, Scene, Settings, Sink, Strategy, Tracer,
+    paths_behind, write_log, write_log_head,
 };
 
 use crate::cli::Error;
@@ -114,7 +114,28 @@ fn write<S: Strategy, R: Recorder + Default + Send>(
     })
 }
 
+/// What of a log is written again, and counted.
+struct Wanted<'a> {
+    filter: Filter<Budget<LineSink<'a>>>,
+    counts: Option<LogCounts>,
+}
+
+impl Sink for Wanted<'_> {
+    fn record(&mut self, record: &Record) {
+        self.filter.record(record);
+        let inside = self.filter.region.zip(record.pixel);
+        if let Some(counts) = &mut self.counts
+            && inside.is_none_or(|(region, pixel)| region.contains(pixel))
+        {
+            counts.add(record);
+        }
+    }
+}
+
 /// Reads a log and writes what is wanted of it, line by line.
+///
+/// With a region, a path of light is left out if its own events and its number tell that it led elsewhere; of light
+/// that was stored nothing tells before the pixels are read, and all paths stay.
 fn filter_again(mut log: Log, args: &TraceArgs, started: Instant) -> Result<(), Error> {
     let file = input::name_of(&args.scene);
     let missing = |what: String| Error::NotInLog {
@@ -145,7 +166,7 @@ fn filter_again(mut log: Log, args: &TraceArgs, started: Instant) -> Result<(), 
     if settings.only.is_some() || !args.only.is_empty() {
         settings.only = Some(names(&kinds));
     }
-    let mut counts = match args.tracing.stats {
+    let counts = match args.tracing.stats {
         Some(_) => Some(LogCounts::new(&file, log.settings())?),
         None => None,
     };
@@ -154,36 +175,33 @@ fn filter_again(mut log: Log, args: &TraceArgs, started: Instant) -> Result<(), 
     let written = write_log_head(log.scene(), &settings, &mut out);
     written.map_err(|error| out.failed(error))?;
     let names = LogNames::new(log.scene());
-    let mut sink = Filter {
-        kinds: Kinds::of(&kinds),
-        region: settings.region,
-        sink: Budget {
-            left: args.budget,
-            dropped: 0,
-            sink: LineSink::new(&names),
+    let wanted = Wanted {
+        filter: Filter {
+            kinds: Kinds::of(&kinds),
+            region: settings.region,
+            sink: Budget {
+                left: args.budget,
+                dropped: 0,
+                sink: LineSink::new(&names),
+            },
         },
+        counts,
     };
+    let width = log.scene().camera.pixels[0];
+    let mut sieve = PathSieve::new(log.settings(), width, args.region, wanted);
     while let Some(record) = log.next_record()? {
-        sink.record(&record);
-        if let Some(counts) = &mut counts
-            && settings
-                .region
-                .zip(record.pixel)
-                .is_none_or(|(region, pixel)| region.contains(pixel))
-        {
-            counts.add(&record);
-        }
-        if 0 < sink.sink.dropped {
-            let budget = args.budget;
-            return Err(Error::Budget { budget });
-        }
-        let lines = &mut sink.sink.sink.lines;
+        sieve.record(&record);
+        let kept = &mut sieve.sink.filter.sink;
+        within(args.budget, kept)?;
+        let lines = &mut kept.sink.lines;
         if BUFFER <= lines.len() {
             out.write_all(lines).map_err(|error| out.failed(error))?;
             lines.clear();
         }
     }
-    out.write_whole(&sink.sink.sink.lines)?;
+    let Wanted { filter, counts } = sieve.finish();
+    within(args.budget, &filter.sink)?;
+    out.write_whole(&filter.sink.sink.lines)?;
 
     if let (Some(format), Some(counts)) = (args.tracing.stats, counts) {
         let times = Times {
@@ -191,6 +209,14 @@ fn filter_again(mut log: Log, args: &TraceArgs, started: Instant) -> Result<(), 
             ..Times::default()
         };
         stats::tell(format, log.scene(), log.settings(), counts.counts(), times)?;
+    }
+    Ok(())
+}
+
+/// More events than the budget allows are an error.
+fn within<S>(budget: u64, kept: &Budget<S>) -> Result<(), Error> {
+    if 0 < kept.dropped {
+        return Err(Error::Budget { budget });
     }
     Ok(())
 }

@@ -8,8 +8,9 @@ use crate::trace::limits::Limits;
 use crate::trace::line_reader::{Damage, parse_event};
 use crate::trace::log_writer::{Header, LOG_VERSION, ObjectLine};
 use crate::trace::name_table::NameTable;
+use crate::trace::path_sieve::keep_paths_behind;
 use crate::trace::recorder::{Numbering, Place};
-use crate::trace::{Event, LogError, Record, Settings};
+use crate::trace::{Event, LogError, PathSieve, Record, Region, Settings, Sink};
 
 /// A log that is being read.
 #[derive(Debug)]
@@ -119,18 +120,29 @@ impl<R: BufRead> LogReader<R> {
         Ok(Some(record))
     }
 
-    /// All records of one pixel, and then the scene and the settings. The whole log is read, so that
-    /// damage elsewhere in it is told too.
+    /// The scene, the settings, and all records that led to one pixel: how the structure was built, the paths of
+    /// light behind the pixel, and its own. The whole log is read, so that damage elsewhere in it is told too.
+    ///
+    /// Which photons a pixel has gathered stands after them: of light that was stored, all paths are kept in memory
+    /// up to the end.
     ///
     /// # Errors
     /// As [`LogReader::next_record`].
     pub fn pixel(mut self, pixel: [u32; 2]) -> Result<(Scene, Settings, Vec<Record>), LogError> {
-        let mut records = Vec::new();
+        let width = self.scene.camera.pixels[0];
+        let mut sieve = PathSieve::new(
+            &self.settings,
+            width,
+            Some(Region::pixel(pixel)),
+            Vec::new(),
+        );
         while let Some(record) = self.next_record()? {
             if record.pixel.is_none_or(|of| of == pixel) {
-                records.push(record);
+                sieve.record(&record);
             }
         }
+        let mut records = sieve.finish();
+        keep_paths_behind(pixel, &self.settings, &mut records);
         Ok((self.scene, self.settings, records))
     }
 }
