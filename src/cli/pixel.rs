@@ -47,7 +47,8 @@ pub(crate) fn run(args: &PixelArgs) -> Result<(), Error> {
         }
     };
     if let Some(ray) = args.ray {
-        let rays: BTreeSet<u32> = traced.records.iter().filter_map(|r| r.ray).collect();
+        let own = traced.records.iter().filter(|r| r.path.is_none());
+        let rays: BTreeSet<u32> = own.filter_map(|r| r.ray).collect();
         if !rays.contains(&ray) {
             let last = rays.last().copied();
             return Err(Error::NoSuchRay { ray, last });
@@ -248,7 +249,7 @@ fn print(args: &PixelArgs, traced: &Traced) -> Result<(), Error> {
         Format::Json => {
             let wanted = |record: &&Record| {
                 kinds.contains(record.event.kind())
-                    && (args.ray.is_none() || record.ray == args.ray)
+                    && (args.ray.is_none() || record.path.is_none() && record.ray == args.ray)
             };
             let records: Vec<Record> = records.iter().filter(wanted).copied().collect();
             // the pixel is the same whatever region of a log it comes from
