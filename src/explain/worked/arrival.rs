@@ -6,13 +6,16 @@ use crate::explain::worked::Solution;
 use crate::explain::worked::steps::Course;
 use crate::geometry::{Axis, mean_value_weights};
 use crate::scene::Shape;
-use crate::trace::{Item, Kind, Shade};
+use crate::trace::{Item, Kind, Photon, Shade};
 
 impl Solution<'_> {
     /// The point that the ray meets, before the first thing that is sent on from it.
     pub(super) fn arrive(&mut self, course: &mut Course) {
         if std::mem::replace(&mut course.arrived, true) {
             return;
+        }
+        if let Some(photon) = course.photon {
+            return self.meets(&photon, course);
         }
         let (Some(end), Some(shade)) = (course.end, course.shade) else {
             return;
@@ -62,6 +65,26 @@ impl Solution<'_> {
         );
         self.page.line(Tone::Aside, text);
         self.page.outdent();
+    }
+
+    /// The point at which chance decides how a path goes on.
+    fn meets(&mut self, photon: &Photon, course: &Course) {
+        if !self.shows(Kind::Photon) {
+            return;
+        }
+        let d = Digits::USUAL;
+        let t = course.end.and_then(|end| end.t);
+        let t = t.map_or(String::new(), |t| format!(" at t = {}", d.number(t)));
+        let name = self.name(photon.object);
+        self.page.gap();
+        self.page
+            .line(Tone::Found, format!("→ The path meets {name}{t}"));
+        let normal = course.normal.map_or(String::new(), |normal| {
+            format!(", N = {}", d.vector(normal))
+        });
+        let point = d.vector(photon.point);
+        self.page
+            .indented(|page| page.plain(format!("p = o + t·Δ = {point}{normal}")));
     }
 
     /// How the normal of a surface is found, the numbers put in, and the digits that p needs there.

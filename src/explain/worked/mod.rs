@@ -1,38 +1,44 @@
 //! The worked solution of a pixel: every ray and every line of arithmetic, as a tutor writes it.
 //!
-//! It walks the tree of rays that the records make and writes each step where it happened. A test that
+//! First come the paths of light that led to the pixel, if light was followed, then the pixel itself. Of each it
+//! walks the tree of rays that the records make and writes each step where it happened. A test that
 //! hits is worked out in full, one that misses in a line or two; where a ray meets many objects, most of
 //! its misses are summed up unless all are asked for.
 
 mod aligned;
 mod arrival;
-mod carried;
 mod cells;
+mod connection;
+mod gathered;
 mod leaves;
+mod light_path;
 mod misses;
 mod nodes;
+mod photon;
+mod pixel;
 mod polygon;
 mod quadratic;
 mod ray;
+mod ray_start;
 mod search;
+mod seen;
 mod shade;
 mod slabs;
 mod steps;
+mod title;
+mod vertex;
 mod volumes;
+mod weight;
 
 use std::cell::OnceCell;
+use std::collections::BTreeMap;
 
-use glam::DVec3;
-
-use crate::explain::number::Digits;
 use crate::explain::page::{Page, Tone, printable};
 use crate::explain::worked::leaves::Leaves;
+use crate::explain::worked::light_path::KnownPath;
 use crate::explain::worked::search::BUILDING;
 use crate::scene::{PrimitiveId, Scene};
-use crate::trace::{
-    Event, Item, Kind, Kinds, PixelColour, PixelSample, RayTree, Record, Settings, StrategyName,
-    Through, Transport,
-};
+use crate::trace::{Event, Kind, Kinds, RayTree, Record, Settings};
 
 /// What of the working is printed, and how.
 #[derive(Clone, Copy, Debug)]
@@ -65,15 +71,18 @@ pub fn worked_solution(
     records: &[Record],
     options: &WorkedOptions,
 ) -> String {
+    let pixel = records.iter().find_map(|record| record.pixel);
     let mut solution = Solution {
         scene,
         settings,
-        records,
-        tree: RayTree::new(records),
         options,
+        pixel,
+        paths: KnownPath::all(records),
+        records: &[],
+        tree: RayTree::default(),
         page: Page::new(options.colour),
     };
-    solution.write();
+    solution.write(records);
     solution.page.into_text()
 }
 
@@ -81,40 +90,47 @@ pub fn worked_solution(
 struct Solution<'a> {
     scene: &'a Scene,
     settings: &'a Settings,
-    records: &'a [Record],
-    tree: RayTree,
     options: &'a WorkedOptions,
+    /// The pixel; a filtered log may hold nothing of it.
+    pixel: Option<[u32; 2]>,
+    /// The paths of light that led to it.
+    paths: BTreeMap<u32, KnownPath>,
+    /// The part that is told now: the building, a path of light, or the pixel.
+    records: &'a [Record],
+    /// Its rays, whose numbers begin at 0 in each part.
+    tree: RayTree,
     page: Page,
 }
 
-impl Solution<'_> {
-    fn write(&mut self) {
+impl<'a> Solution<'a> {
+    fn write(&mut self, records: &'a [Record]) {
+        let is_of_pixel = |record: &Record| record.pixel.is_some();
+        let first = records.iter().position(is_of_pixel);
+        let (before, pixel) = records.split_at(first.unwrap_or(records.len()));
+        let is_of_path = |record: &Record| record.path.is_some();
+        let first = before.iter().position(is_of_path);
+        let (building, paths) = before.split_at(first.unwrap_or(before.len()));
+
         self.title();
         if let Some(id) = self.options.ray {
-            if let Some(place) = self.tree.find(id) {
-                self.page.gap();
-                self.ray(place);
-            }
-            return;
+            self.turn_to(pixel);
+            return self.one_ray(id);
         }
+        self.turn_to(building);
         self.building();
-        let mut colours = Vec::new();
-        for item in self.tree.items.clone() {
-            match item {
-                Item::Ray(place) => {
-                    self.page.gap();
-                    self.ray(place);
-                    colours.extend(self.tree.rays[place].end.and_then(|end| end.colour));
-                }
-                Item::Event(at) => match self.records[at].event {
-                    Event::Pixel(sample) => self.window_point(&sample),
-                    Event::PixelColour(colour) => self.pixel_colour(&colour, &colours),
-                    _ => {}
-                },
-            }
-        }
+        self.light_paths(paths);
+        self.turn_to(pixel);
+        self.pixel();
     }
 
+    /// What follows is told of these records.
+    fn turn_to(&mut self, records: &'a [Record]) {
+        self.records = records;
+        self.tree = RayTree::new(records);
+    }
+}
+
+impl Solution<'_> {
     /// How the structure was built, if that was recorded; in part, unless all is asked for.
     fn building(&mut self) {
         /// More lines than a screen has would hide the pixel.
@@ -151,164 +167,12 @@ impl Solution<'_> {
         self.options.kinds.contains(kind)
     }
 
-    fn title(&mut self) {
-        let [width, height] = self.scene.camera.pixels;
-        let mut title = String::from("Pixel");
-        if let Some([x, y]) = self.records.iter().find_map(|record| record.pixel) {
-            title = format!("Pixel ({x}, {y})");
-        }
-        if !self.scene.name.is_empty() {
-            title = format!("{title} of \"{}\"", printable(&self.scene.name));
-        }
-        self.page.line(Tone::Heading, title);
-        let transport = match self.settings.transport {
-            Transport::Backward => "backward, without rays to the lights",
-            Transport::HybridLight => "backward with rays to the lights",
-            Transport::Forward => "forward, from the lights into the eye",
-            Transport::HybridStored => "forward, stored on the surfaces, then backward",
-            Transport::HybridConnected => "forward and backward, with connecting lines",
-        };
-        let objects = self.scene.primitives.len();
-        let sides = if self.settings.one_sided {
-            "; opaque surfaces show only their front"
-        } else {
-            ""
-        };
-        self.page.line(
-            Tone::Aside,
-            format!(
-                "{width} × {height} pixels, traced {transport}, each ray tested against {}{}, \
-                 depth up to {}{sides}",
-                count(objects, "object"),
-                how(self.settings),
-                self.scene.max_depth
-            ),
-        );
-        if matches!(
-            self.settings.strategy,
-            StrategyName::Bounds
-                | StrategyName::Hierarchy
-                | StrategyName::Heap
-                | StrategyName::Grid
-        ) {
-            let note = "what is around objects is wider than they are by some 1e-10 of the coordinates, \
-                        so that rounding cuts nothing off";
-            self.page.line(Tone::Aside, note);
-        }
-        if let Some(only) = &self.settings.only {
-            let note = format!("the log holds only: {}", only.join(", "));
-            self.page.line(Tone::Aside, note);
-        }
-    }
-
-    /// P = corner + (x/width)·right + (1 − y/height)·up
-    fn window_point(&mut self, sample: &PixelSample) {
-        if !self.shows(Kind::Pixel) {
-            return;
-        }
-        let d = Digits::USUAL;
-        let camera = &self.scene.camera;
-        let [width, height] = camera.pixels;
-        self.page.gap();
-        let place = match self.settings.through {
-            Through::Centres => "The pixel's centre on the window".into(),
-            Through::Corners => {
-                format!(
-                    "Corner {} of {} on the window",
-                    sample.sample + 1,
-                    sample.samples
-                )
-            }
-        };
-        self.page.line(Tone::Heading, place);
-        let (across, down) = (
-            sample.place.x / f64::from(width),
-            1.0 - sample.place.y / f64::from(height),
-        );
-        // an eye far from the origin: as many digits as P - COP needs
-        let to_window = (sample.point - camera.cop).length();
-        let d_point = Digits::for_difference(sample.point.abs().max_element(), to_window);
-        let lines = [
-            format!(
-                "{} pixels from the left and {} from the top, of {width} × {height}",
-                d.number(sample.place.x),
-                d.number(sample.place.y)
-            ),
-            format!(
-                "P = corner + {}/{width}·right + (1 - {}/{height})·up",
-                d.number(sample.place.x),
-                d.number(sample.place.y)
-            ),
-            format!(
-                "  = {} + {}·{} + {}·{}",
-                d_point.vector(camera.corner()),
-                d.number(across),
-                d.vector(camera.right),
-                d.number(down),
-                d.vector(camera.up)
-            ),
-            format!("  = {}", d_point.vector(sample.point)),
-        ];
-        self.page.indented(|page| {
-            for line in lines {
-                page.plain(line);
-            }
-        });
-    }
-
-    fn pixel_colour(&mut self, colour: &PixelColour, of_rays: &[DVec3]) {
-        if !self.shows(Kind::PixelColour) {
-            return;
-        }
-        let d = Digits::USUAL;
-        self.page.gap();
-        self.page.line(Tone::Heading, "The pixel's colour");
-        let mut lines = Vec::new();
-        if 1 < of_rays.len() {
-            let terms: Vec<_> = of_rays.iter().map(|&c| d.vector(c)).collect();
-            lines.push(format!(
-                "the mean of its {} eye rays: [{}] / {} = {}",
-                of_rays.len(),
-                terms.join(" + "),
-                of_rays.len(),
-                d.vector(colour.raw)
-            ));
-        } else {
-            lines.push(format!(
-                "what the eye ray brings back: {}",
-                d.vector(colour.raw)
-            ));
-        }
-        if colour.raw != colour.clamped {
-            lines.push(format!("cut to 0..1: {}", d.vector(colour.clamped)));
-        }
-        let [r, g, b] = (colour.clamped * 255.0).round().to_array();
-        lines.push(format!("in the picture, times 255: ({r}, {g}, {b})"));
-        self.page.indented(|page| {
-            for line in lines {
-                page.plain(line);
-            }
-        });
-    }
-
     /// A primitive as it is called in the text.
     fn name(&self, id: PrimitiveId) -> String {
         match self.scene.name_of(id) {
             (name, None) => printable(name),
             (name, Some(face)) => format!("{} face {face}", printable(name)),
         }
-    }
-}
-
-/// Which of the objects a ray is tested against.
-fn how(settings: &Settings) -> &'static str {
-    match settings.strategy {
-        StrategyName::Exhaustive => "",
-        StrategyName::Bounds => " whose bounding volumes it meets",
-        StrategyName::Hierarchy => " in a hierarchy, walked depth first",
-        StrategyName::Heap => " in a hierarchy, walked by distance",
-        StrategyName::Grid => " in the cells of a grid",
-        StrategyName::ZAligned => " in a frame in which it is the z axis",
     }
 }
 

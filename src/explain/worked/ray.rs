@@ -1,7 +1,5 @@
 //! One ray: where it starts, what it is tested against, what becomes of it.
 
-use glam::DVec3;
-
 use crate::explain::number::Digits;
 use crate::explain::page::Tone;
 use crate::explain::page::printable;
@@ -9,7 +7,7 @@ use crate::explain::worked::Solution;
 use crate::explain::worked::misses::{FOLDED_FROM, LONGEST_UNFOLDED};
 use crate::explain::worked::steps::{Course, Step, Test, steps};
 use crate::scene::PrimitiveId;
-use crate::trace::{Event, Kind, Nearest, Outcome, Purpose, RayEnd, RayStart};
+use crate::trace::{Event, Kind, Nearest, Outcome, Purpose, RayEnd, RayNode, RayStart};
 
 impl Solution<'_> {
     /// The whole working of a ray, with the rays sent on from it indented below.
@@ -20,6 +18,10 @@ impl Solution<'_> {
             Step::Shade(shade) => Some(*shade),
             _ => None,
         });
+        let photon = self.photon_of(&node);
+        let of_photon = photon.zip(node.start);
+        let of_photon =
+            of_photon.map(|(photon, start)| self.normal_towards(&photon, -start.ray.direction));
         let mut course = Course {
             place,
             start: node.start,
@@ -27,18 +29,17 @@ impl Solution<'_> {
             nearest: None,
             nearest_object: None,
             shade,
+            photon,
+            normal: shade.map(|shade| shade.normal).or(of_photon),
             end: node.end,
             arrived: false,
             slabs_in_full: self.slabs_in_full(&steps),
             last: None,
         };
-        self.page.line(
-            Tone::Heading,
-            self.ray_title(node.id, node.parent, node.start),
-        );
+        self.page.line(Tone::Heading, self.ray_title(place));
         self.page.indent();
         if let Some(start) = node.start.filter(|_| self.shows(Kind::Ray)) {
-            self.ray_start(&start, node.parent);
+            self.ray_start(place, &start, node.parent);
         }
         let tests = steps
             .iter()
@@ -89,7 +90,19 @@ impl Solution<'_> {
                     self.search(event, &course);
                     course.last = Some(*event);
                 }
-                Step::Carried(event) => self.carried(event),
+                Step::Photon(photon) => {
+                    self.arrive(&mut course);
+                    self.photon(photon, &course);
+                }
+                Step::Stored(stored) => {
+                    self.arrive(&mut course);
+                    self.stored(stored);
+                }
+                Step::Gathered { nearby, gathered } => {
+                    self.arrive(&mut course);
+                    self.gather(nearby, gathered.as_ref());
+                }
+                Step::Arrival(arrival) => self.seen(arrival),
                 Step::Nearest(hit) => self.nearest(*hit, &mut course),
             }
         }
@@ -99,7 +112,10 @@ impl Solution<'_> {
         self.page.outdent();
     }
 
-    fn ray_title(&self, id: u32, parent: Option<u32>, start: Option<RayStart>) -> String {
+    fn ray_title(&self, place: usize) -> String {
+        let RayNode {
+            id, parent, start, ..
+        } = &self.tree.rays[place];
         let Some(start) = start else {
             return format!("Ray {id}");
         };
@@ -116,7 +132,7 @@ impl Solution<'_> {
                 Some(light) => format!("from the light {}", self.light_name(light)),
                 None => "on from the surface".into(),
             },
-            Purpose::Connection => "between the two paths".into(),
+            Purpose::Connection => "from x' to x".into(),
         };
         let of = parent.map_or(String::new(), |parent| {
             format!(", sent on from ray {parent}")
@@ -128,74 +144,6 @@ impl Solution<'_> {
     pub(super) fn light_name(&self, light: u32) -> String {
         let light = self.scene.lights.get(light as usize);
         light.map_or("?".into(), |light| printable(&light.name))
-    }
-
-    /// Equation (i) with the ray's numbers, and where they come from.
-    fn ray_start(&mut self, start: &RayStart, parent: Option<u32>) {
-        let d = Digits::USUAL;
-        let (origin, direction) = (start.ray.origin, start.ray.direction);
-        match start.purpose {
-            Purpose::Eye => {
-                if let Some(window) = start.window_t {
-                    // a length near 1 is told with the digits in which it differs from 1
-                    let length = Digits::for_difference(window, window - 1.0).number(window);
-                    let to_window = d.vector(window * direction);
-                    self.page
-                        .plain(format!("P - COP = {to_window}, of length {length}"));
-                    self.page.plain(format!(
-                        "Δ = (P - COP)/{length} = {}: normalised, so that t is a distance and the \
-                         window lies at t = {length}",
-                        d.vector(direction)
-                    ));
-                }
-            }
-            Purpose::Shadow => {
-                let lights = &self.scene.lights;
-                let lamp = start.light.and_then(|light| lights.get(light as usize));
-                let text = lamp.map_or(String::new(), |lamp| to_light(lamp.position, origin));
-                self.page
-                    .plain(format!("Δ = L{text} = {}", d.vector(direction)));
-            }
-            Purpose::Reflected => {
-                let from = parent.and_then(|parent| self.surface_of(parent));
-                match from {
-                    Some((incoming, normal)) => {
-                        let cosine = incoming.dot(normal);
-                        self.page.plain(format!(
-                            "Δ = Δ' - 2(Δ'·N)N = {} - 2·{}·{} = {}, with Δ' the direction of the ray \
-                             that was sent on",
-                            d.vector(incoming),
-                            d.factor(cosine),
-                            d.vector(normal),
-                            d.vector(direction)
-                        ));
-                    }
-                    None => self.page.plain(format!("Δ = {}", d.vector(direction))),
-                }
-            }
-            Purpose::Refracted => self.page.plain(format!("Δ = T = {}", d.vector(direction))),
-            Purpose::Scattered | Purpose::Light | Purpose::Connection => {
-                self.page.plain(format!("Δ = {}", d.vector(direction)));
-            }
-        }
-        self.page.plain(format!(
-            "(x, y, z) = {} + t·{} … (i){}",
-            d.vector(origin),
-            d.vector(direction),
-            range_text(start)
-        ));
-    }
-
-    /// Direction and normal where a ray met its surface.
-    fn surface_of(&self, ray: u32) -> Option<(DVec3, DVec3)> {
-        let node = &self.tree.rays[self.tree.find(ray)?];
-        let shade = steps(&node.items, self.records)
-            .into_iter()
-            .find_map(|step| match step {
-                Step::Shade(shade) => Some(shade),
-                _ => None,
-            })?;
-        Some((node.start?.ray.direction, shade.normal))
     }
 
     /// The test of one object, in full if it hits or all is wanted, else in short.
@@ -273,15 +221,15 @@ impl Solution<'_> {
     /// A ray that is not told here: its purpose and its end.
     fn child_in_short(&mut self, place: usize) {
         let node = &self.tree.rays[place];
-        let title = self.ray_title(node.id, node.parent, node.start);
-        let end = node
-            .end
-            .map_or(String::new(), |end| format!(": {}", self.outcome(&end)));
+        let title = self.ray_title(place);
+        let end = node.end.map_or(String::new(), |end| {
+            format!(": {}", self.outcome(&end, node.start))
+        });
         self.page
             .line(Tone::Aside, format!("{title}{end} (--ray {})", node.id));
     }
 
-    fn outcome(&self, end: &RayEnd) -> String {
+    fn outcome(&self, end: &RayEnd, start: Option<RayStart>) -> String {
         let d = Digits::USUAL;
         let object = end.object.map_or("an object".into(), |id| self.name(id));
         let at = end
@@ -290,7 +238,15 @@ impl Solution<'_> {
         match end.outcome {
             Outcome::Hit => format!("meets {object}{at}"),
             Outcome::Miss => "meets no object".into(),
-            Outcome::Blocked => format!("blocked by {object}{at}: the point lies in its shadow"),
+            Outcome::Blocked => {
+                let is_line = start.is_some_and(|start| start.purpose == Purpose::Connection);
+                let shadow = if is_line {
+                    ""
+                } else {
+                    ": the point lies in its shadow"
+                };
+                format!("blocked by {object}{at}{shadow}")
+            }
             Outcome::ReachesLight => "nothing in between: the light is visible".into(),
             Outcome::DepthLimit => format!(
                 "not traced, since the depth limit is {}: no light comes this way",
@@ -319,48 +275,35 @@ impl Solution<'_> {
             | Outcome::CutOff => Tone::Refused,
         };
         match (end.outcome, end.colour) {
+            // chance has told it already
+            (Outcome::Hit | Outcome::Absorbed, None)
+                if course.photon.is_some() && self.shows(Kind::Photon) => {}
             (Outcome::Hit, Some(colour)) => {
                 let sum = self.sum(course).unwrap_or_default();
                 self.page
                     .line(tone, format!("I = {sum}{}", d.vector(colour)));
             }
+            (Outcome::Miss, Some(_)) if self.settings.transport.follows_light() => {
+                let text = "→ no object is met: no light comes from there, for only lamps send any";
+                self.page.line(tone, text);
+            }
             (Outcome::Miss, Some(colour)) => self.page.line(
                 tone,
                 format!("→ no object is met: the background, {}", d.vector(colour)),
             ),
-            _ => self.page.line(tone, format!("→ {}", self.outcome(end))),
+            _ => {
+                let leaves = match end.outcome {
+                    Outcome::Miss => self.leaves_with(&self.tree.rays[course.place]),
+                    _ => None,
+                };
+                let text = format!(
+                    "→ {}{}",
+                    self.outcome(end, course.start),
+                    leaves.unwrap_or_default()
+                );
+                self.page.line(tone, text);
+            }
         }
-    }
-}
-
-/// L = (light − p)/|light − p|, with its numbers.
-pub(super) fn to_light(light: DVec3, point: DVec3) -> String {
-    let distance = (light - point).length();
-    let d = Digits::for_difference(light.abs().max_element(), distance);
-    format!(
-        " = (light - p)/|light - p| = [{} - {}]/{}",
-        d.vector(light),
-        d.vector(point),
-        d.number(distance)
-    )
-}
-
-/// Which t count, in words.
-fn range_text(start: &RayStart) -> String {
-    let d = Digits::USUAL;
-    let low = if start.range.min == 0.0 {
-        "t > 0".into()
-    } else {
-        format!("t ≥ ε = {}", d.number(start.range.min))
-    };
-    if start.range.max.is_finite() {
-        let end = match start.purpose {
-            Purpose::Shadow => ", just short of the light",
-            _ => "",
-        };
-        format!(", for {low} up to {}{end}", d.number(start.range.max))
-    } else {
-        format!(", for {low}")
     }
 }
 

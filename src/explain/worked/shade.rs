@@ -8,7 +8,7 @@ use glam::DVec3;
 use crate::explain::number::Digits;
 use crate::explain::page::Tone;
 use crate::explain::worked::Solution;
-use crate::explain::worked::ray::to_light;
+use crate::explain::worked::ray_start::to_light;
 use crate::explain::worked::steps::Course;
 use crate::geometry::{Refraction, reflect};
 use crate::scene::{Emission, Material};
@@ -164,7 +164,7 @@ impl Solution<'_> {
                 let cosine = refraction.cos_refracted_squared.sqrt();
                 self.page
                     .plain(format!("{squared}, cos θ₂ = {}", d.number(cosine)));
-                let parts = course.start.zip(course.shade).map(|(start, shade)| {
+                let parts = course.start.zip(course.normal).map(|(start, normal)| {
                     format!(
                         " = {}·{} + ({}·{} - {})·{}",
                         d.number(eta),
@@ -172,7 +172,7 @@ impl Solution<'_> {
                         d.number(eta),
                         d.number(refraction.cos_incident),
                         d.number(cosine),
-                        d.vector(shade.normal)
+                        d.vector(normal)
                     )
                 });
                 self.page.plain(format!(
@@ -180,6 +180,17 @@ impl Solution<'_> {
                     parts.unwrap_or_default(),
                     d.vector(direction)
                 ));
+                let of_radiance = course
+                    .start
+                    .is_some_and(|start| start.purpose != Purpose::Light);
+                if of_radiance && self.settings.transport.follows_light() {
+                    self.page.plain(format!(
+                        "what is seen through the surface counts (n₁/n₂)² = {}² = {} times: behind it the same \
+                         light fills another solid angle",
+                        d.number(eta),
+                        d.number(refraction.radiance_factor())
+                    ));
+                }
             }
             None => {
                 let verdict =
@@ -198,6 +209,12 @@ impl Solution<'_> {
         }
         let d = Digits::USUAL;
         let colour = DVec3::from(self.scene.material_of(shade.object).colour);
+        if self.settings.transport.follows_light() {
+            let text = "Ambient: none, for the light that it stands for was followed";
+            self.page.line(Tone::Aside, text);
+            let text = format!("Light gathered: {}", d.vector(shade.direct));
+            return self.page.plain(text);
+        }
         self.page.plain(format!(
             "Ambient: {}·{} = {}",
             d.vector(self.scene.ambient),
@@ -216,6 +233,10 @@ impl Solution<'_> {
         let shade = course.shade?;
         let mut terms = vec![d.vector(shade.ambient), d.vector(shade.direct)];
         let mut words = vec!["ambient", "lights"];
+        if self.settings.transport.follows_light() {
+            terms = vec![d.vector(shade.direct)];
+            words = vec!["gathered"];
+        }
         for item in &self.tree.rays[course.place].items {
             let Item::Ray(child) = item else {
                 continue;
@@ -235,6 +256,9 @@ impl Solution<'_> {
             };
             words.push(word);
             terms.push(format!("{}·{}", d.number(weight), d.vector(end.colour?)));
+        }
+        if terms.len() == 1 {
+            return Some(format!("{} = ", words.join(" + ")));
         }
         Some(format!("{} = {} = ", words.join(" + "), terms.join(" + ")))
     }

@@ -7,7 +7,10 @@ use crate::geometry::{
     AlignedRay, BoxTest, EdgeTest, PlaneTest, PolygonTest, QuadraticTest, Ray, Refraction,
 };
 use crate::scene::PrimitiveId;
-use crate::trace::{Event, Item, LightTerm, Nearest, RayEnd, RayStart, Record, Shade};
+use crate::trace::{
+    Arrival, Event, Gathered, Item, LightTerm, Nearby, Nearest, Photon, RayEnd, RayStart, Record,
+    Shade, Stored,
+};
 
 /// What is known of a ray while its steps are told.
 pub(super) struct Course {
@@ -23,6 +26,10 @@ pub(super) struct Course {
     pub(super) nearest_object: Option<PrimitiveId>,
     /// The shade of the point it met.
     pub(super) shade: Option<Shade>,
+    /// What chance decided about it there, on a path.
+    pub(super) photon: Option<Photon>,
+    /// N where it met a surface, on the side that it came from.
+    pub(super) normal: Option<DVec3>,
     /// Its end.
     pub(super) end: Option<RayEnd>,
     /// The point it met was introduced.
@@ -65,8 +72,17 @@ pub(super) enum Step {
     Shade(Shade),
     /// A step of the search: a bound, a node, a cell, an alignment.
     Search(Event),
-    /// Light on its way: what chance decided, what was stored, gathered, connected.
-    Carried(Event),
+    /// What chance decided about a photon.
+    Photon(Photon),
+    /// A photon was stored.
+    Stored(Stored),
+    /// A photon passes into the eye.
+    Arrival(Arrival),
+    /// Light was gathered from the nearest photons; in a filtered log either may be missing.
+    Gathered {
+        nearby: Vec<Nearby>,
+        gathered: Option<Gathered>,
+    },
     /// A hit became the nearest apart from its test.
     Nearest(Nearest),
 }
@@ -153,21 +169,30 @@ fn add(event: &Event, steps: &mut Vec<Step>) {
         Event::LightTerm(light) => Step::Light(light),
         Event::Refraction(refraction) => Step::Refraction(refraction),
         Event::Shade(shade) => Step::Shade(shade),
-        // the pixel's own, the building before it, and the ray's start and end
+        // those of the pixel or of the path, of the building before it, and the ray's start and end
         Event::Pixel(_)
         | Event::PixelColour(_)
         | Event::Merge(_)
         | Event::Assign(_)
         | Event::Ray(_)
         | Event::RayEnd(_)
-        | Event::Path(_) => return,
-        Event::Photon(_)
-        | Event::Arrival(_)
-        | Event::Stored(_)
-        | Event::Nearby(_)
-        | Event::Gathered(_)
+        | Event::Path(_)
         | Event::Alternative(_)
-        | Event::Connection(_) => Step::Carried(*event),
+        | Event::Connection(_) => return,
+        Event::Photon(photon) => Step::Photon(photon),
+        Event::Stored(stored) => Step::Stored(stored),
+        Event::Arrival(arrival) => Step::Arrival(arrival),
+        Event::Nearby(photon) => return gather(photon, steps),
+        Event::Gathered(found) => match steps.last_mut() {
+            Some(Step::Gathered { gathered, .. }) if gathered.is_none() => {
+                *gathered = Some(found);
+                return;
+            }
+            _ => Step::Gathered {
+                nearby: Vec::new(),
+                gathered: Some(found),
+            },
+        },
         Event::BoundTest(_)
         | Event::SlabTest(_)
         | Event::Node(_)
@@ -183,6 +208,20 @@ fn add(event: &Event, steps: &mut Vec<Step>) {
         | Event::ZSort(_) => Step::Search(*event),
     };
     steps.push(step);
+}
+
+/// One more of the nearest photons.
+fn gather(photon: Nearby, steps: &mut Vec<Step>) {
+    match steps.last_mut() {
+        Some(Step::Gathered {
+            nearby,
+            gathered: None,
+        }) => nearby.push(photon),
+        _ => steps.push(Step::Gathered {
+            nearby: vec![photon],
+            gathered: None,
+        }),
+    }
 }
 
 /// Fills in what follows a polygon's plane; in a filtered log the plane may be missing.

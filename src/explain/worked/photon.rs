@@ -1,0 +1,232 @@
+//! Chance at a surface: what becomes of a photon, or of a path from the eye, which meets surfaces in the same way.
+//!
+//! One number ξ decides for all channels: below the reflection it is mirrored, below reflection + transmission
+//! refracted, and below that and a channel's colour·diffuse that channel goes on diffusely. What goes on keeps what
+//! it carries.
+
+use glam::DVec3;
+
+use crate::explain::number::Digits;
+use crate::explain::page::Tone;
+use crate::explain::worked::Solution;
+use crate::explain::worked::steps::Course;
+use crate::trace::{Kind, Photon, PhotonFate, Purpose, RayStart, Stored};
+
+/// The channels of a colour.
+const CHANNELS: [&str; 3] = ["red", "green", "blue"];
+
+impl Solution<'_> {
+    /// Chance decides at a surface.
+    pub(super) fn photon(&mut self, photon: &Photon, course: &Course) {
+        if !self.shows(Kind::Photon) {
+            return;
+        }
+        let d = Digits::USUAL;
+        let carries = Carries::along(course.start);
+        let chance = d.number(photon.chance);
+        self.page.plain(format!(
+            "Chance decides: ξ = {chance}; {} arrives",
+            carries.amount(photon.power)
+        ));
+        self.page.indent();
+        let material = self.scene.material_of(photon.object);
+        let (reflection, transmission) = (photon.reflection, photon.transmission);
+        if photon.transmission == 0.0 && 0.0 < material.transmission {
+            self.page.plain(format!(
+                "total internal reflection: the reflection takes over the transmission, {} + {} = {}",
+                d.number(material.reflection),
+                d.number(material.transmission),
+                d.number(reflection)
+            ));
+        }
+        if 0.0 < reflection {
+            let text = format!("reflection: {}", below(photon.chance, reflection));
+            self.page.plain(text);
+        }
+        let limit = reflection + transmission;
+        if photon.fate != PhotonFate::Mirrored && 0.0 < transmission {
+            self.page.plain(format!(
+                "reflection + transmission = {} + {} = {}: {}",
+                d.number(reflection),
+                d.number(transmission),
+                d.number(limit),
+                below(photon.chance, limit)
+            ));
+        }
+        if matches!(photon.fate, PhotonFate::Diffused | PhotonFate::Absorbed) {
+            let before = match (reflection, transmission) {
+                (_, t) if 0.0 < t => "reflection + transmission + colour·diffuse",
+                (r, _) if 0.0 < r => "reflection + colour·diffuse",
+                _ => "colour·diffuse",
+            };
+            let sum = if limit == 0.0 {
+                d.vector(photon.diffuse)
+            } else {
+                let [first, second] = [DVec3::splat(limit), photon.diffuse];
+                let sum = d.vector(first + second);
+                format!("{} + {} = {sum}", d.vector(first), d.vector(second))
+            };
+            self.page.plain(format!(
+                "{before} = {sum}, and ξ is below where a channel goes on: {}",
+                channels(photon)
+            ));
+        }
+        let (tone, verdict) = match photon.fate {
+            PhotonFate::Mirrored => (Tone::Found, "goes on in the mirror direction"),
+            PhotonFate::Refracted => (Tone::Found, "goes on through the surface"),
+            PhotonFate::Diffused => (Tone::Found, "goes on in a direction of chance"),
+            PhotonFate::Absorbed => (Tone::Refused, "goes on: the path ends here"),
+        };
+        let leaving = photon.leaving();
+        let on = match photon.fate {
+            PhotonFate::Absorbed => "nothing".into(),
+            _ => carries.amount(leaving),
+        };
+        let absorbed = photon.power - leaving;
+        let absorbed = if absorbed == DVec3::ZERO {
+            String::new()
+        } else {
+            match carries {
+                Carries::Power => format!("; {} is absorbed", carries.amount(absorbed)),
+                Carries::Weight => format!("; {} of it is lost", d.vector(absorbed)),
+            }
+        };
+        self.page.line(tone, format!("→ {on} {verdict}{absorbed}"));
+        self.page.outdent();
+    }
+
+    /// A photon is stored where it meets a diffuse surface.
+    pub(super) fn stored(&mut self, stored: &Stored) {
+        if !self.shows(Kind::Stored) {
+            return;
+        }
+        let d = Digits::USUAL;
+        self.page.line(
+            Tone::Found,
+            format!(
+                "→ stored on {} at {}, on the side of {}: {}",
+                self.name(stored.object),
+                d.vector(stored.point),
+                d.vector(stored.normal),
+                Carries::Power.amount(stored.power)
+            ),
+        );
+    }
+
+    /// How a path goes on from the surface before: its direction.
+    pub(super) fn direction_of_leg(&self, place: usize) -> Option<String> {
+        let d = Digits::USUAL;
+        let direction = self.tree.rays[place].start?.ray.direction;
+        let (before, photon) = self.leg_before(place)?;
+        let incoming = before.start?.ray.direction;
+        let normal = self.normal_towards(&photon, -incoming);
+        Some(match photon.fate {
+            PhotonFate::Mirrored => format!(
+                "Δ = Δ' - 2(Δ'·N)N = {} - 2·{}·{} = {}, with Δ' the direction it came in",
+                d.vector(incoming),
+                d.factor(incoming.dot(normal)),
+                d.vector(normal),
+                d.vector(direction)
+            ),
+            PhotonFate::Refracted => format!("Δ = T = {}", d.vector(direction)),
+            PhotonFate::Diffused | PhotonFate::Absorbed => format!(
+                "Δ = {}: a direction of chance around N = {}, with a density of cos θ/π per steradian",
+                d.vector(direction),
+                d.vector(normal)
+            ),
+        })
+    }
+}
+
+/// What is carried along a path.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Carries {
+    /// Watts.
+    Power,
+    /// What a path from the eye multiplies the light with that it finds.
+    Weight,
+}
+
+impl Carries {
+    fn along(start: Option<RayStart>) -> Self {
+        match start {
+            Some(start) if start.purpose != Purpose::Light => Self::Weight,
+            _ => Self::Power,
+        }
+    }
+
+    /// `(0.5, 0, 0) W` or `β = (1, 1, 1)`.
+    pub(super) fn amount(self, carried: DVec3) -> String {
+        let vector = Digits::USUAL.vector(carried);
+        match self {
+            Self::Power => format!("{vector} W"),
+            Self::Weight => format!("a weight β of {vector}"),
+        }
+    }
+}
+
+/// `ξ < 0.1` or `ξ ≥ 0.1`, with a number in place of ξ.
+fn below(chance: f64, limit: f64) -> String {
+    let usual = Digits::USUAL;
+    let d = if usual.number(chance) == usual.number(limit) {
+        Digits::for_difference(limit, chance - limit)
+    } else {
+        usual
+    };
+    let sign = if chance < limit { "<" } else { "≥" };
+    format!("{} {sign} {}", d.number(chance), d.number(limit))
+}
+
+/// Which channels go on diffusely: `red and green go on, blue does not`.
+pub(super) fn channels(photon: &Photon) -> String {
+    let limit = photon.reflection + photon.transmission;
+    let is_below = |channel: usize| photon.chance < limit + photon.diffuse[channel];
+    let of = |wanted: bool| -> Vec<&str> {
+        (0..3)
+            .filter(|&channel| is_below(channel) == wanted)
+            .map(|channel| CHANNELS[channel])
+            .collect()
+    };
+    let (on, ends) = (of(true), of(false));
+    let goes = if on.len() == 1 { "goes" } else { "go" };
+    let does = if ends.len() == 1 { "does" } else { "do" };
+    match (on.as_slice(), ends.as_slice()) {
+        ([], _) => "no channel goes on".into(),
+        (_, []) => "all channels go on".into(),
+        _ => format!(
+            "{} {goes} on, {} {does} not",
+            on.join(" and "),
+            ends.join(" and ")
+        ),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn channels_go_on_where_chance_is_below_their_sum() {
+        let photon = |chance| Photon {
+            chance,
+            reflection: 0.1,
+            diffuse: DVec3::new(0.8, 0.4, 0.2),
+            fate: PhotonFate::Diffused,
+            ..Photon::default()
+        };
+        for (chance, words) in [
+            (0.2, "all channels go on"),
+            (0.4, "red and green go on, blue does not"),
+            (0.5, "red goes on, green and blue do not"),
+            (0.95, "no channel goes on"),
+        ] {
+            assert_eq!(channels(&photon(chance)), words);
+        }
+    }
+
+    #[test]
+    fn chance_close_to_a_limit_is_told_with_the_digits_that_decide() {
+        assert_eq!(below(0.25, 0.5), "0.25 < 0.5");
+        assert_eq!(below(0.500_000_04, 0.5), "0.50000004 ≥ 0.5");
+    }
+}

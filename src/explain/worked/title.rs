@@ -1,0 +1,112 @@
+//! The title of a solution: which pixel of which scene, and how it was traced.
+
+use crate::explain::number::{Digits, grouped};
+use crate::explain::page::{Tone, printable};
+use crate::explain::worked::{Solution, count};
+use crate::trace::{Settings, StrategyName, Transport};
+
+impl Solution<'_> {
+    /// Which pixel, and how it was traced.
+    pub(super) fn title(&mut self) {
+        let [width, height] = self.scene.camera.pixels;
+        let mut title = String::from("Pixel");
+        if let Some([x, y]) = self.pixel {
+            title = format!("Pixel ({x}, {y})");
+        }
+        if !self.scene.name.is_empty() {
+            title = format!("{title} of \"{}\"", printable(&self.scene.name));
+        }
+        self.page.line(Tone::Heading, title);
+        let transport = match self.settings.transport {
+            Transport::Backward => "backward, without rays to the lights",
+            Transport::HybridLight => "backward with rays to the lights",
+            Transport::Forward => "forward, from the lights into the eye",
+            Transport::HybridStored => "forward, stored on the surfaces, then backward",
+            Transport::HybridConnected => "forward and backward, with connecting lines",
+        };
+        let objects = self.scene.primitives.len();
+        let depth = match self.settings.transport {
+            // they go on as long as chance lets them
+            Transport::Forward | Transport::HybridConnected => String::new(),
+            _ => format!(", depth up to {}", self.scene.max_depth),
+        };
+        let sides = if self.settings.one_sided {
+            "; opaque surfaces show only their front"
+        } else {
+            ""
+        };
+        self.page.line(
+            Tone::Aside,
+            format!(
+                "{width} × {height} pixels, traced {transport}, each ray tested against {}{}\
+                 {depth}{sides}",
+                count(objects, "object"),
+                how(self.settings)
+            ),
+        );
+        if let Some(light) = self.how_light_is_followed() {
+            self.page.line(Tone::Aside, light);
+        }
+        if matches!(
+            self.settings.strategy,
+            StrategyName::Bounds
+                | StrategyName::Hierarchy
+                | StrategyName::Heap
+                | StrategyName::Grid
+        ) {
+            let note = "what is around objects is wider than they are by some 1e-10 of the coordinates, \
+                        so that rounding cuts nothing off";
+            self.page.line(Tone::Aside, note);
+        }
+        if let Some(only) = &self.settings.only {
+            let note = format!("the log holds only: {}", only.join(", "));
+            self.page.line(Tone::Aside, note);
+        }
+    }
+
+    /// Seed, number of paths, and what else the transport looks at; `None` where no light is followed.
+    fn how_light_is_followed(&self) -> Option<String> {
+        let d = Digits::USUAL;
+        let (camera, light) = (&self.scene.camera, &self.settings.light);
+        let own = match self.settings.transport {
+            Transport::Backward | Transport::HybridLight => return None,
+            Transport::Forward => {
+                let radius = d.number(light.aperture_radius(camera));
+                format!("the eye is an aperture of radius {radius}")
+            }
+            Transport::HybridStored => match light.map {
+                Some(cells) => format!(
+                    "stored in maps of {cells} cells along a flat face's longer side; on curved surfaces the \
+                     {} nearest photons are gathered",
+                    light.nearest
+                ),
+                None => format!("the {} nearest photons are gathered", light.nearest),
+            },
+            Transport::HybridConnected => format!(
+                "{} to each pixel, each connected to a path of light of its own",
+                count(light.samples as usize, "eye path")
+            ),
+        };
+        let paths = self.settings.light_paths(camera.pixels);
+        let bounces = light.bounces.map_or(String::new(), |most| {
+            format!(", each over {} at most", count(most as usize, "surface"))
+        });
+        Some(format!(
+            "{} paths of light{bounces}, seed {}; {own}",
+            grouped(paths),
+            light.seed
+        ))
+    }
+}
+
+/// Which of the objects a ray is tested against.
+fn how(settings: &Settings) -> &'static str {
+    match settings.strategy {
+        StrategyName::Exhaustive => "",
+        StrategyName::Bounds => " whose bounding volumes it meets",
+        StrategyName::Hierarchy => " in a hierarchy, walked depth first",
+        StrategyName::Heap => " in a hierarchy, walked by distance",
+        StrategyName::Grid => " in the cells of a grid",
+        StrategyName::ZAligned => " in a frame in which it is the z axis",
+    }
+}
