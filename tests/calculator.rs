@@ -1,6 +1,7 @@
 //! The worked solution can be followed with a calculator: every line of arithmetic that it prints is
 //! computed again from the printed numbers alone, and gives the printed result.
 
+mod light;
 mod strategies;
 
 use std::path::Path;
@@ -144,6 +145,9 @@ impl Calculator<'_> {
                 is_vector: true,
             });
         }
+        if self.eat("π") {
+            return Some(Value::number(std::f64::consts::PI));
+        }
         if self.eat("-") {
             let value = self.operand()?;
             return Some(value.join(value, |(a, s), _| (-a, s)));
@@ -158,6 +162,11 @@ impl Calculator<'_> {
         }
         let value: f64 = self.rest[..end].trim_end_matches('.').parse().ok()?;
         self.rest = &self.rest[end..];
+        // 4π
+        if let Some(after) = self.rest.strip_prefix('π') {
+            self.rest = after;
+            return Some(Value::number(value * std::f64::consts::PI));
+        }
         Some(Value::number(value))
     }
 }
@@ -245,6 +254,12 @@ fn check(scene: &str, pixel: [u32; 2], at_least: [usize; 2]) {
 #[track_caller]
 fn check_with(settings: &Settings, scene: &str, pixel: [u32; 2], at_least: [usize; 2]) {
     let text = solution(scene, pixel, settings);
+    check_text(&text, at_least);
+}
+
+/// At least so many equations in a solution, each of which comes out.
+#[track_caller]
+fn check_text(text: &str, at_least: [usize; 2]) {
     let mut sum = [0; 2];
     // P goes over two lines
     for line in text.replace("\n    = ", " = ").lines() {
@@ -266,6 +281,7 @@ fn the_calculator_knows_the_signs_that_the_solution_uses() {
         ("min(-1, -3)", -3.0),
         ("2·max(2e-1, -4) - 1", -0.6),
         ("1.5e-3 … (v)", 0.0015),
+        ("2/(4π)·π", 0.5),
     ] {
         assert_eq!(
             at_start(text).map(|value| value.parts[0]),

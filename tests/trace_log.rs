@@ -2,6 +2,7 @@
 
 mod damaged;
 mod impossible;
+mod light;
 pub(crate) mod strategies;
 
 use std::io::{self, Write};

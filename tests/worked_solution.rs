@@ -1,5 +1,6 @@
 //! The worked solution reads as one does it by hand: its lines against a pixel worked out on paper.
 
+pub(crate) mod light;
 mod strategies;
 
 use std::path::Path;

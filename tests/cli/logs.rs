@@ -190,3 +190,28 @@ error: cut.jsonl, line 22: the line has no end: the log was cut off here
     );
     assert_eq!(folder.names(), ["cut.jsonl", "scene.json"]);
 }
+
+#[test]
+fn a_pixel_lit_by_paths_of_light_is_told_the_same_from_a_log_and_from_a_log_of_that_log() {
+    let folder = Folder::empty().with("scene.json", crate::worked_solution::light::GLASS);
+    for transport in [
+        "forward --paths 3000 --aperture 0.4",
+        "hybrid-stored --paths 500 --nearest 9",
+        "hybrid-connected --samples 2",
+    ] {
+        let run = |words: String| folder.run(&words).well();
+        let told = run(format!("pixel scene.json 2,3 --transport {transport}"));
+        run(format!(
+            "trace scene.json --transport {transport} -o whole.jsonl"
+        ));
+        run("trace whole.jsonl --region 2,3 -o pixel.jsonl".into());
+        for log in ["whole.jsonl", "pixel.jsonl"] {
+            assert!(run(format!("pixel {log} 2,3")) == told, "{log} {transport}");
+        }
+        // a trace of the pixel alone keeps no path that did not lead to it
+        run(format!(
+            "trace scene.json --transport {transport} --region 2,3 -o traced.jsonl"
+        ));
+        assert!(run("pixel traced.jsonl 2,3".into()) == told, "{transport}");
+    }
+}
