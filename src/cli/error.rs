@@ -228,7 +228,7 @@ impl fmt::Display for Error {
             ),
             Self::NoSuchRay { ray, last: None } => write!(
                 f,
-                "the pixel has no ray {ray}: its log holds no rays at all\n  leave --ray away"
+                "the pixel has no ray {ray}: none was sent from it, or its log holds none\n  leave --ray away"
             ),
             Self::Budget { budget } => write!(
                 f,
