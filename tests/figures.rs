@@ -3,7 +3,10 @@
 use std::collections::HashSet;
 use std::path::Path;
 
-use raystep::{FigureName, Library, Rendition, Traced, Width, draw, lesson_schema, text_width};
+use raystep::{
+    Event, FigureName, FigureSpec, Library, Record, Rendition, Traced, Transport, Width, draw,
+    lesson_schema, text_width,
+};
 use roxmltree::{Document, Node};
 
 /// What a figure is named by in its ids here.
@@ -191,6 +194,128 @@ fn the_printed_figures_have_their_labels() {
                 assert!(!texts.contains(&other), "{name}: {other} is not tested");
             }
         }
+    }
+}
+
+/// The letters of a figure, and the events that it was drawn from.
+fn of_light(name: &str) -> (Vec<String>, Vec<Record>) {
+    let library = library();
+    let figure: FigureName = format!("08-transport/{name}").parse().unwrap();
+    let (lesson, spec) = library.find(&figure).unwrap();
+    let mut traced = lesson.trace(&figure.figure, spec).unwrap();
+    let drawn = draw(spec, &traced, ID, Width::Book, Rendition::default()).unwrap();
+    let document = Document::parse(&drawn.svg).unwrap();
+    let texts = document.descendants().filter_map(|node| {
+        let text = node.has_tag_name("text").then(|| node.text())?;
+        Some(text?.to_owned())
+    });
+    (texts.collect(), traced.remove(0).records)
+}
+
+#[track_caller]
+fn check_text(texts: &[String], part: &str) {
+    let has = texts.iter().any(|text| text.contains(part));
+    assert!(has, "no {part:?} among {texts:?}");
+}
+
+#[test]
+fn forward_tracing_counts_the_paths_that_reach_the_eye_and_the_wasted_ones() {
+    let (texts, records) = of_light("forward");
+    let shown: HashSet<u32> = records.iter().filter_map(|record| record.path).collect();
+    let arrived: HashSet<u32> = records
+        .iter()
+        .filter(|record| matches!(record.event, Event::Arrival(_)))
+        .filter_map(|record| record.path)
+        .collect();
+    assert!(!arrived.is_empty() && arrived.len() < shown.len());
+    check_text(&texts, &format!("reaches the eye: {}", arrived.len()));
+    let wasted = shown.len() - arrived.len();
+    check_text(&texts, &format!("wasted: {wasted}"));
+    check_text(&texts, &format!("{} of 100", shown.len()));
+    for label in ["aperture", "window", "COP", "lamp"] {
+        check_text(&texts, label);
+    }
+}
+
+#[test]
+fn the_density_of_photons_is_that_of_the_gathered_event() {
+    let (texts, records) = of_light("gather");
+    let gathered = records.iter().find_map(|record| match record.event {
+        Event::Gathered(gathered) => Some(gathered),
+        _ => None,
+    });
+    let gathered = gathered.unwrap();
+    let radius = gathered.radius.unwrap();
+    assert_eq!(gathered.count, 19);
+    check_text(&texts, "Of the 20 nearest photons 19 count");
+    check_text(&texts, &format!("r = {radius:.4}"));
+    // all photons are white: 19 of 100 W / 3000 each, over the disc
+    let density = 19.0 * 100.0 / 3000.0 / (std::f64::consts::PI * radius * radius);
+    assert!((gathered.irradiance.x / density - 1.0).abs() < 1e-9);
+    check_text(&texts, &format!("= {density:.4} W/m²"));
+}
+
+#[test]
+fn connecting_lines_join_named_vertices_and_one_has_its_geometry_term() {
+    let (texts, records) = of_light("hybrid-connected");
+    for label in ["x₀", "x₁", "x₂", "y₀", "y₁", "y₂", "G", "blocked"] {
+        check_text(&texts, label);
+    }
+    let line = records.iter().find_map(|record| match record.event {
+        Event::Connection(of) if (of.light_vertex, of.eye_vertex) == (1, 1) => Some(of),
+        _ => None,
+    });
+    let line = line.unwrap();
+    assert!(line.visible);
+    let distance = line.from.distance(line.to);
+    let geometry = line.cosines[0] * line.cosines[1] / (distance * distance);
+    check_text(&texts, &format!("= {geometry:.5}"));
+    check_text(&texts, "G(x₁, y₁) = cos θ · cos θ′ / d²");
+}
+
+#[test]
+fn the_paths_of_a_caustic_have_all_come_through_the_ball() {
+    let (texts, records) = of_light("caustic");
+    let shown: HashSet<u32> = records.iter().filter_map(|record| record.path).collect();
+    let refracted: HashSet<u32> = records
+        .iter()
+        .filter(|record| matches!(record.event, Event::Refraction(_)))
+        .filter_map(|record| record.path)
+        .collect();
+    assert_eq!(refracted, shown);
+    check_text(&texts, "disc of 17 photons");
+}
+
+#[test]
+fn a_figure_that_follows_light_says_what_it_lacks() {
+    let library = library();
+    let name: FigureName = "08-transport/forward".parse().unwrap();
+    let (lesson, spec) = library.find(&name).unwrap();
+    let wrong = |change: &dyn Fn(&mut FigureSpec)| {
+        let mut spec = spec.clone();
+        change(&mut spec);
+        lesson.trace("forward", &spec).unwrap_err().to_string()
+    };
+    let error = wrong(&|spec| spec.scene = "scene.json".into());
+    assert!(error.contains("figures.forward.scene"), "{error}");
+    assert!(error.contains("has a colour and no power"), "{error}");
+    let error = wrong(&|spec| spec.light.paths = 0);
+    assert!(error.contains("figures.forward.light"), "{error}");
+    let error = wrong(&|spec| spec.light.aperture = Some(-1.0));
+    assert!(error.contains("figures.forward.light"), "{error}");
+    let error = wrong(&|spec| spec.paths = Some(1_000_000));
+    assert!(error.contains("show from 1 to 10000"), "{error}");
+
+    // and one that gathers nothing, or connects nothing
+    for (figure, transport) in [
+        ("gather", Transport::Forward),
+        ("hybrid-connected", Transport::HybridStored),
+    ] {
+        let mut spec = lesson.content.figures[figure].clone();
+        spec.transport = transport;
+        let traced = lesson.trace(figure, &spec).unwrap();
+        let drawn = draw(&spec, &traced, ID, Width::Book, Rendition::default());
+        assert_eq!(drawn.unwrap_err().key, "pixel", "{figure}");
     }
 }
 

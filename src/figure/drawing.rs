@@ -10,7 +10,7 @@ use crate::figure::kinds::{Kind, kind};
 use crate::figure::picture;
 use crate::figure::sheet::{Sheet, Width};
 use crate::figure::spec::{FigureKind, FigureSpec, Layer};
-use crate::figure::traced::Traced;
+use crate::figure::traced::{Section, Traced};
 use crate::figure::view::{Projection, Stage};
 use crate::scene::{PrimitiveId, Scene};
 use crate::trace::{Event, RayNode, RayTree, Record};
@@ -93,7 +93,8 @@ fn is_whole(spec: &FigureSpec, traced: &[Traced]) -> Result<(), FigureError> {
         return Ok(());
     }
     let variants = spec.strategies.len().max(1) * spec.volumes.len().max(1);
-    let cut = |of: &&Traced| of.picture().iter().any(Option::is_none);
+    let paths = spec.paths.unwrap_or(0) as usize;
+    let cut = |of: &&Traced| of.picture().iter().any(Option::is_none) || of.paths().len() < paths;
     if traced.len() == variants && !traced.iter().any(|of| cut(&of)) {
         return Ok(());
     }
@@ -179,6 +180,14 @@ impl<'a> Figure<'a> {
     /// Nothing was recorded about it.
     pub(super) fn records_of(&self, pixel: [u32; 2]) -> Result<&'a [Record], FigureError> {
         records_in(self.first, pixel)
+    }
+
+    /// The same, with their steps after those of the paths of light.
+    ///
+    /// # Errors
+    /// Nothing was recorded about it.
+    pub(super) fn section_of(&self, pixel: [u32; 2]) -> Result<Section<'a>, FigureError> {
+        Ok(self.first.after_paths(self.records_of(pixel)?))
     }
 
     /// The ray that is drawn, with the events on it.

@@ -156,8 +156,14 @@ impl Look {
     pub(super) const REFRACTED_RAY: Self = Self::line(Colour::Visited, 2.0, Dash::Dashed);
     /// A leg of a path of light.
     pub(super) const LIGHT_RAY: Self = Self::line(Colour::Rejected, 1.75, Dash::Solid);
+    /// A leg of a path of light that leads to what nobody looks at.
+    pub(super) const UNSEEN_LIGHT: Self = Self::line(Colour::Rejected, 1.5, Dash::Dotted);
+    /// A leg of a path of light that comes to nothing.
+    pub(super) const WASTED_LIGHT: Self = Self::line(Colour::Culled, 0.8, Dash::Dashed);
     /// A line between a path of light and one from the eye.
-    pub(super) const CONNECTION: Self = Self::line(Colour::Visited, 1.75, Dash::Dotted);
+    pub(super) const CONNECTION: Self = Self::line(Colour::Visited, 1.25, Dash::Solid);
+    /// Such a line with something between its ends.
+    pub(super) const BLOCKED_CONNECTION: Self = Self::line(Colour::Visited, 1.25, Dash::Dashed);
     /// What was met.
     pub(super) const HIT: Self = Self::area(Colour::Hit, 2.5, Dash::Solid);
     /// What was tested and refused.

@@ -183,7 +183,8 @@ pub(super) fn window(figure: &Figure, sheet: &mut Sheet, stage: &Stage) {
     }
     let at = corners.map(|corner| stage.place_flat(corner));
     // at its upper end, away from the rays that pass its middle
-    if let Some(top) = at.into_iter().min_by(|a, b| a.y.total_cmp(&b.y)) {
+    let top = at.into_iter().min_by(|a, b| a.y.total_cmp(&b.y));
+    if let Some(top) = top.filter(|top| stage.frame.contains(*top)) {
         sheet.label(stage.frame, top, DVec2::NEG_Y, "window");
     }
 }

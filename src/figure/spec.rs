@@ -54,6 +54,10 @@ pub struct FigureSpec {
     /// How light is followed from the lamps, where the transport does.
     #[serde(default)]
     pub light: LightOptions,
+    /// The first so many paths of light are shown, whether they lead to the eye or not, beside those that lead to the
+    /// pixels that are drawn.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub paths: Option<u32>,
     /// Where the eye rays pass a pixel.
     #[serde(default)]
     pub through: Through,
@@ -89,6 +93,14 @@ pub enum FigureKind {
     Window,
     /// The rays of a pixel in the scene.
     Rays,
+    /// Paths of light in the scene: those that lead to the eye, and those that are wasted.
+    Paths,
+    /// The photons nearest to a point on a flat surface, seen from above, and the density that follows from them.
+    Gather,
+    /// A path of light and a path from the eye, with the lines between their vertices.
+    Connections,
+    /// The light that falls on what each pixel sees, as it is stored there.
+    Irradiance,
     /// N, L, R and V at a point, and the terms of its shade.
     Shading,
     /// The line of t: behind the COP, 0, the window, beyond.

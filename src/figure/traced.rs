@@ -21,8 +21,40 @@ pub struct Traced {
     pub records: Vec<Record>,
 }
 
-/// The kinds of event that a figure's log keeps of every pixel: its colour, and how many tests each ray took.
-pub const OF_EVERY_PIXEL: [Kind; 2] = [Kind::PixelColour, Kind::RayEnd];
+/// A stretch of the trace in which steps and rays are numbered from 0: a path of light, or a pixel.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Section<'a> {
+    pub(super) records: &'a [Record],
+    /// How many steps a figure has before it.
+    before: u32,
+}
+
+impl Section<'_> {
+    /// The step of the whole figure that a record is: the paths of light come one after the other, then the pixels.
+    pub(super) fn step(&self, record: &Record) -> u32 {
+        self.before + record.step
+    }
+
+    /// How many steps a figure has up to its end.
+    fn after(&self) -> u32 {
+        self.records
+            .last()
+            .map_or(self.before, |last| self.step(last) + 1)
+    }
+}
+
+#[cfg(test)]
+impl<'a> Section<'a> {
+    /// The first of a trace.
+    pub(super) fn first(records: &'a [Record]) -> Self {
+        let before = 0;
+        Self { records, before }
+    }
+}
+
+/// The kinds of event that a figure's log may keep of every pixel: its colour, how many tests each ray took, what light
+/// was gathered.
+pub const OF_EVERY_PIXEL: [Kind; 3] = [Kind::PixelColour, Kind::RayEnd, Kind::Gathered];
 
 impl Traced {
     /// Writes it as a log. Several logs behind each other are one figure's.
@@ -72,6 +104,27 @@ impl Traced {
         &self.records[first..first + count.count()]
     }
 
+    /// The paths of light that were recorded whole, in order, each with its steps after those of the one before.
+    pub(super) fn paths(&self) -> Vec<Section<'_>> {
+        let of_paths = self
+            .records
+            .chunk_by(|a, b| a.path == b.path && a.pixel == b.pixel)
+            .filter(|records| records[0].path.is_some());
+        let mut before = 0;
+        let section = |records| {
+            let section = Section { records, before };
+            before = section.after();
+            section
+        };
+        of_paths.map(section).collect()
+    }
+
+    /// The records of one pixel, with its steps after those of all paths of light.
+    pub(super) fn after_paths<'a>(&self, records: &'a [Record]) -> Section<'a> {
+        let before = self.paths().last().map_or(0, Section::after);
+        Section { records, before }
+    }
+
     /// How the structure was built.
     pub(super) fn building(&self) -> impl Iterator<Item = &Record> {
         let of_none = |record: &&Record| record.pixel.is_none() && record.path.is_none();
@@ -115,4 +168,53 @@ fn next_head(bytes: &[u8]) -> usize {
         }
     }
     bytes.len()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::SceneFile;
+    use crate::trace::{PathStart, PixelSample, RayEnd};
+
+    #[test]
+    fn steps_of_paths_come_one_after_the_other_and_those_of_pixels_after_them() {
+        let file: SceneFile = serde_json::from_str(
+            r#"{"camera":{"window":{"cop":[0,1,6],"corner":[-1,0,5],"right":[2,0,0],"up":[0,2,0]},
+                "pixels":[2,2]},"objects":[],"materials":{}}"#,
+        )
+        .unwrap();
+        let end = Event::RayEnd(RayEnd::default());
+        let path = Event::Path(PathStart::default());
+        let pixel = Event::Pixel(PixelSample::default());
+        let record = |pixel, path, step, event| Record {
+            pixel,
+            path,
+            step,
+            ray: None,
+            parent: None,
+            event,
+        };
+        let records = vec![
+            record(None, None, 0, end),
+            record(None, Some(3), 0, path),
+            record(None, Some(3), 1, end),
+            record(None, Some(8), 0, path),
+            record(Some([1, 0]), None, 0, pixel),
+            record(Some([1, 0]), None, 1, end),
+        ];
+        let traced = Traced {
+            scene: Scene::new(file).unwrap(),
+            settings: Settings::default(),
+            records,
+        };
+        let steps = |section: &Section| {
+            let of = section.records.iter().map(|record| section.step(record));
+            of.collect::<Vec<_>>()
+        };
+        let paths: Vec<_> = traced.paths().iter().map(steps).collect();
+        assert_eq!(paths, [vec![0, 1], vec![2]]);
+        let pixel = traced.after_paths(traced.pixel([1, 0]));
+        assert_eq!(steps(&pixel), [3, 4]);
+        assert_eq!(traced.building().count(), 1);
+    }
 }

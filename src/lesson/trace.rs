@@ -1,15 +1,20 @@
 //! Tracing what a figure is drawn from.
 
+use std::collections::BTreeSet;
+
 use crate::figure::{FigureError, FigureKind, FigureSpec, OF_EVERY_PIXEL, Traced};
 use crate::lesson::LessonError;
 use crate::scene::Loaded;
 use crate::strategy::{Chosen, Strategy};
 use crate::structure::{StructureOptions, VolumeKind};
-use crate::trace::{Kind, Kinds, Record, Recording, Settings, Sink, StrategyName};
-use crate::tracer::{Tracer, trace_pixel};
+use crate::trace::{Kind, Kinds, Off, Record, Recording, Region, Settings, Sink, StrategyName};
+use crate::tracer::{LightError, LightPass, Tracer, check_light, paths_behind, trace_pixel};
 
 /// The most pixels that a figure's picture may have: all are traced, and each is a square.
 const MOST_PIXELS: u64 = 512 * 512;
+
+/// The most paths of light that a figure may show: all their events are kept.
+const MOST_PATHS: u32 = 10_000;
 
 /// Traces a scene as a figure asks for it, once for each of its strategies and volumes.
 ///
@@ -53,6 +58,8 @@ pub fn trace_figure(
         ));
     }
 
+    check_paths(spec, [width, height]).map_err(&wrong)?;
+
     let kept = kept(spec.kind);
     let strategies: &[StrategyName] = match spec.strategies.as_slice() {
         [] => &[spec.strategy],
@@ -85,13 +92,19 @@ pub fn trace_figure(
         };
         let chosen = Chosen::new(&scene, strategy, &structure)
             .map_err(|fault| error("structure", fault.to_string(), "change it in the lesson"))?;
-        let tracer = Tracer::new(&scene, &chosen, spec.transport);
+        check_light(&scene, &chosen, &settings).map_err(|fault| wrong(no_light(&fault)))?;
+        let around = Region::around(&whole);
+        let light = LightPass::new(&scene, &chosen, &settings, around, |Off| (), |_| ());
+        let tracer = Tracer::new(&scene, &chosen, spec.transport).with_light(light.as_ref());
         let mut recording = Recording::new(Keep {
             records: Vec::new(),
             whole: &whole,
             of_every: Kinds::of(kept),
         });
         chosen.note_building(&mut recording);
+        for path in shown_paths(&tracer, spec, &whole) {
+            tracer.trace_path(path, &mut recording);
+        }
         for y in 0..height {
             for x in 0..width {
                 trace_pixel(&tracer, [x, y], spec.through, &mut recording);
@@ -107,10 +120,82 @@ pub fn trace_figure(
     variants.map(trace).collect()
 }
 
+/// Does this kind of figure draw paths of light?
+fn draws_paths(kind: FigureKind) -> bool {
+    use FigureKind::{Connections, Gather, Paths, Rays};
+    matches!(kind, Rays | Paths | Gather | Connections)
+}
+
+/// Are there the paths of light that the figure shows?
+fn check_paths(spec: &FigureSpec, pixels: [u32; 2]) -> Result<(), FigureError> {
+    let Some(shown) = spec.paths else {
+        return Ok(());
+    };
+    let settings = Settings {
+        transport: spec.transport,
+        light: spec.light,
+        ..Settings::default()
+    };
+    let all = settings.light_paths(pixels);
+    let (what, fix) = if !draws_paths(spec.kind) {
+        let what = "this kind of figure draws no paths of light".to_owned();
+        (what, "leave \"paths\" out".to_owned())
+    } else if !spec.transport.follows_light() {
+        let what = "this transport follows no light from the lamps".to_owned();
+        let fix = "leave \"paths\" out, or take another \"transport\", such as \"forward\"";
+        (what, fix.to_owned())
+    } else if all == 0 {
+        // what stands against following any is told when the light is looked at
+        return Ok(());
+    } else if shown == 0 || all.min(MOST_PATHS.into()) < shown.into() {
+        let what = format!("{shown} paths cannot be shown: {all} are followed");
+        let most = all.min(MOST_PATHS.into());
+        (what, format!("show from 1 to {most}"))
+    } else {
+        return Ok(());
+    };
+    let key = "paths";
+    Err(FigureError { key, what, fix })
+}
+
+/// Why light cannot be followed, as a mistake in the figure.
+fn no_light(fault: &LightError) -> FigureError {
+    let key = match fault {
+        LightError::NoLights
+        | LightError::NoPower { .. }
+        | LightError::Albedo { .. }
+        | LightError::Inside { .. }
+        | LightError::Endless { .. } => "scene",
+        LightError::NoPaths { .. } | LightError::TooMany { .. } | LightError::OutOfRange { .. } => {
+            "light"
+        }
+    };
+    FigureError {
+        key,
+        what: fault.to_string(),
+        fix: fault.fix(),
+    }
+}
+
+/// The paths of light that a figure shows, in order.
+fn shown_paths<S: Strategy>(
+    tracer: &Tracer<'_, S>,
+    spec: &FigureSpec,
+    whole: &[[u32; 2]],
+) -> BTreeSet<u32> {
+    if !draws_paths(spec.kind) {
+        return BTreeSet::new();
+    }
+    let behind = |pixel: &[u32; 2]| paths_behind(tracer, Region::pixel(*pixel), spec.through);
+    let first = 0..spec.paths.unwrap_or(0);
+    first.chain(whole.iter().flat_map(behind)).collect()
+}
+
 /// What is kept of every pixel.
 fn kept(kind: FigureKind) -> &'static [Kind] {
     match kind {
-        FigureKind::Heat => &OF_EVERY_PIXEL,
+        FigureKind::Heat => &OF_EVERY_PIXEL[..2],
+        FigureKind::Irradiance => &[Kind::PixelColour, Kind::Gathered],
         _ => &OF_EVERY_PIXEL[..1],
     }
 }
@@ -128,5 +213,37 @@ impl Sink for Keep<'_> {
         if is_whole || self.of_every.contains(record.event.kind()) {
             self.records.push(*record);
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// What is wrong with the paths of a figure over a picture of 2 × 2.
+    fn wrong(spec: &str) -> Option<String> {
+        let spec = serde_json::from_str(spec).unwrap();
+        check_paths(&spec, [2, 2]).err().map(|error| error.what)
+    }
+
+    #[test]
+    fn a_figure_shows_as_many_paths_as_there_are_and_none_where_no_light_is_followed() {
+        let of = |kind: &str, transport: &str, paths: u32| {
+            wrong(&format!(
+                r#"{{"kind":"{kind}","scene":"s","transport":"{transport}","paths":{paths},"light":{{"paths":50,"samples":3}}}}"#
+            ))
+        };
+        assert_eq!(of("paths", "forward", 50), None);
+        assert_eq!(of("rays", "hybrid-connected", 12), None);
+        let too_many = "51 paths cannot be shown: 50 are followed";
+        assert_eq!(of("paths", "hybrid-stored", 51).as_deref(), Some(too_many));
+        let too_many = "13 paths cannot be shown: 12 are followed";
+        assert_eq!(
+            of("paths", "hybrid-connected", 13).as_deref(),
+            Some(too_many)
+        );
+        assert!(of("paths", "forward", 0).is_some());
+        assert!(of("paths", "backward", 5).is_some());
+        assert!(of("picture", "forward", 5).is_some());
     }
 }

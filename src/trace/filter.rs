@@ -58,6 +58,15 @@ impl Region {
         }
     }
 
+    /// The smallest region with all these pixels; `None` without any.
+    pub fn around(pixels: &[[u32; 2]]) -> Option<Self> {
+        let pixel = |&pixel| Self::pixel(pixel);
+        pixels.iter().map(pixel).reduce(|all, of| Self {
+            from: [0, 1].map(|i| all.from[i].min(of.from[i])),
+            to: [0, 1].map(|i| all.to[i].max(of.to[i])),
+        })
+    }
+
     /// Does the pixel lie in it?
     #[inline]
     pub fn contains(&self, [x, y]: [u32; 2]) -> bool {
@@ -206,5 +215,13 @@ mod tests {
         for bad in ["", "3", "3,", "3,4-", "-1,2", "5,5-4,6", "a,b"] {
             assert!(bad.parse::<Region>().is_err(), "{bad}");
         }
+    }
+
+    #[test]
+    fn a_region_around_pixels_reaches_from_the_least_to_the_largest() {
+        let around = Region::around(&[[4, 7], [9, 2], [5, 5]]);
+        let (from, to) = ([4, 2], [9, 7]);
+        assert_eq!(around, Some(Region { from, to }));
+        assert_eq!(Region::around(&[]), None);
     }
 }

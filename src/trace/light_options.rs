@@ -5,6 +5,10 @@ use serde::{Deserialize, Serialize};
 
 use crate::scene::Camera;
 
+/// The radius of the aperture where none is given, as a share of the way from the COP to the window's centre: wide
+/// enough for a few photons in a million, narrow enough for a picture.
+const APERTURE: f64 = 1.0 / 20.0;
+
 /// How light is followed from the lamps. Each transport looks at some of these.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
@@ -30,6 +34,16 @@ pub struct LightOptions {
     pub map: Option<u32>,
 }
 
+impl LightOptions {
+    /// The radius of the eye's aperture.
+    pub fn aperture_radius(&self, camera: &Camera) -> f64 {
+        self.aperture.unwrap_or_else(|| {
+            let center = camera.to_corner + 0.5 * (camera.right + camera.up);
+            APERTURE * center.length()
+        })
+    }
+}
+
 impl Default for LightOptions {
     fn default() -> Self {
         Self {
@@ -41,19 +55,5 @@ impl Default for LightOptions {
             nearest: 50,
             map: None,
         }
-    }
-}
-
-/// The radius of the aperture where none is given, as a share of the way from the COP to the window's centre: wide
-/// enough for a few photons in a million, narrow enough for a picture.
-const APERTURE: f64 = 1.0 / 20.0;
-
-impl LightOptions {
-    /// The radius of the eye's aperture.
-    pub fn aperture_radius(&self, camera: &Camera) -> f64 {
-        self.aperture.unwrap_or_else(|| {
-            let center = camera.to_corner + 0.5 * (camera.right + camera.up);
-            APERTURE * center.length()
-        })
     }
 }

@@ -16,10 +16,6 @@ use crate::scene::Camera;
 use crate::trace::{Arrival, Event, LightOptions, Recorder};
 use crate::tracer::walk::{Leg, Watcher};
 
-/// The radius of the aperture where none is given, as a share of the way from the COP to the window's centre: wide
-/// enough for a few photons in a million, narrow enough for a picture.
-const APERTURE: f64 = 1.0 / 20.0;
-
 /// The eye, which sees photons pass.
 pub(super) struct Eye<'a> {
     camera: &'a Camera,
@@ -29,19 +25,11 @@ pub(super) struct Eye<'a> {
     pub(super) arrivals: Vec<Arrival>,
 }
 
-/// The radius of the eye's aperture.
-pub fn aperture(camera: &Camera, options: &LightOptions) -> f64 {
-    options.aperture.unwrap_or_else(|| {
-        let center = camera.to_corner + 0.5 * (camera.right + camera.up);
-        APERTURE * center.length()
-    })
-}
-
 impl<'a> Eye<'a> {
     pub(super) fn new(camera: &'a Camera, options: &LightOptions) -> Self {
         Self {
             camera,
-            radius: aperture(camera, options),
+            radius: options.aperture_radius(camera),
             normal: camera.window_normal(),
             arrivals: Vec::new(),
         }

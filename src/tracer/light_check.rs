@@ -8,7 +8,6 @@ use crate::geometry::{Ray, Sides, TRange};
 use crate::scene::{Emission, Light, Object, PrimitiveId, Scene, Shape};
 use crate::strategy::{Strategy, test_primitive};
 use crate::trace::{Counts, Off, Purpose, Settings, Transport};
-use crate::tracer::forward::aperture;
 use crate::tracer::hybrid_stored::bytes_per_photon;
 use crate::tracer::light_path::Lamps;
 use crate::tracer::walk::{MOST_SURFACES, NoWatcher};
@@ -213,7 +212,9 @@ fn left_out(scene: &Scene, settings: &Settings) -> Vec<String> {
                 .into(),
         );
     }
-    if settings.transport == Transport::Forward && aperture(&scene.camera, &settings.light) == 0.0 {
+    if settings.transport == Transport::Forward
+        && settings.light.aperture_radius(&scene.camera) == 0.0
+    {
         notes.push(
             "the eye is a pinhole, of aperture 0: no photon can pass through a point, so none arrives and the \
              picture is black; --aperture gives the eye a radius"

@@ -79,7 +79,6 @@ mod walk;
 
 pub use backward::Tracer;
 pub use epsilon::{EPSILON, start_epsilon};
-pub use forward::aperture;
 pub use heat::{Heat, HeatLine, HeatOf, heat_values};
 pub use hybrid_stored::{StoredLight, StoredPhoton};
 pub use light_check::check_light;

@@ -4,8 +4,7 @@ use std::path::Path;
 
 use raystep::{
     Exhaustive, Kind, Kinds, LightPass, Off, Record, Recording, Region, Scene, Settings, Through,
-    Tracer, Transport, WorkedOptions, aperture, load_bytes, paths_behind, trace_pixel,
-    worked_solution,
+    Tracer, Transport, WorkedOptions, load_bytes, paths_behind, trace_pixel, worked_solution,
 };
 
 use super::check;
@@ -329,13 +328,12 @@ fn a_mirror_or_glass_on_the_way_is_told_as_what_cannot_be_the_line() {
 }
 
 #[test]
-fn the_radius_of_the_aperture_is_one_for_those_who_tell_and_those_who_trace() {
+fn the_aperture_is_a_twentieth_of_the_way_to_the_window_unless_it_is_given() {
     let scene = built(SCENE);
     let mut light = settings(Transport::Forward).light;
     for given in [None, Some(0.25)] {
         light.aperture = given;
-        let told = light.aperture_radius(&scene.camera);
-        assert_eq!(told, aperture(&scene.camera, &light));
-        assert_eq!(told, given.unwrap_or(0.05));
+        // a window that is looked at stands at distance 1
+        assert_eq!(light.aperture_radius(&scene.camera), given.unwrap_or(0.05));
     }
 }

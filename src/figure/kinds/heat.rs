@@ -8,8 +8,8 @@ use crate::figure::error::FigureError;
 use crate::figure::frame::Frame;
 use crate::figure::heat_map::colour;
 use crate::figure::kinds::Kind;
-use crate::figure::look::Look;
 use crate::figure::picture;
+use crate::figure::scale_bar;
 use crate::figure::sheet::{Anchor, Sheet};
 use crate::figure::spec::Layer;
 use crate::figure::traced::Traced;
@@ -167,19 +167,6 @@ fn draw_map(figure: &Figure, sheet: &mut Sheet, frame: Frame, map: &Map, scale: 
 
 /// The colours of a scale as a bar, with its numbers.
 fn legend(sheet: &mut Sheet, bar: Frame, scale: Range) {
-    /// As many as can be told apart, and no more than an SVG should have.
-    const COLOURS: u32 = 48;
-    let line = sheet.line_height();
-    let at = |share: f64| bar.min.x + share * bar.size().x;
-    for i in 0..COLOURS {
-        let [from, to] = [i, i + 1].map(|i| f64::from(i) / f64::from(COLOURS));
-        let part = Frame {
-            min: DVec2::new(at(from), bar.min.y),
-            max: DVec2::new(at(to), bar.max.y),
-        };
-        sheet.pixel(part, colour(f64::midpoint(from, to)));
-    }
-    sheet.rectangle(Look::THIN, bar);
     let mut numbers = vec![scale.min];
     if 1 < scale.max - scale.min {
         numbers.push(u32::midpoint(scale.min, scale.max));
@@ -187,23 +174,11 @@ fn legend(sheet: &mut Sheet, bar: Frame, scale: Range) {
     if scale.min < scale.max {
         numbers.push(scale.max);
     }
-    for number in numbers {
-        let x = at(scale.share(number));
-        let [top, bottom] = [0.0, 0.25 * line].map(|down| DVec2::new(x, bar.max.y + down));
-        sheet.line(Look::THIN, top, bottom);
-        let anchor = match number {
-            _ if number == scale.min => Anchor::Start,
-            _ if number == scale.max => Anchor::End,
-            _ => Anchor::Middle,
-        };
-        sheet.text(
-            anchor,
-            bottom + DVec2::new(0.0, 0.5 * line),
-            grouped(u64::from(number)),
-        );
-    }
-    let middle = DVec2::new(bar.middle().x, bar.max.y + 1.75 * line);
-    sheet.text(Anchor::Middle, middle, "object tests per pixel");
+    let numbers: Vec<(f64, String)> = numbers
+        .into_iter()
+        .map(|number| (scale.share(number), grouped(u64::from(number))))
+        .collect();
+    scale_bar::draw(sheet, bar, &numbers, "object tests per pixel");
 }
 
 #[cfg(test)]

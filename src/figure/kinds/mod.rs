@@ -1,16 +1,20 @@
 //! The kinds of figure, one file each.
 
 mod alignment;
+mod connections;
 mod costs;
+mod gather;
 mod grid;
 mod heap;
 mod heat;
 mod hierarchy;
 mod intervals;
+mod irradiance;
 mod line_of_t;
 mod merge;
 mod named_lines;
 mod partition;
+mod paths;
 mod picture;
 mod pinhole;
 mod plan;
@@ -49,6 +53,10 @@ pub(super) fn kind(name: FigureKind) -> Kind {
         FigureKind::Pinhole => pinhole::KIND,
         FigureKind::Window => window::KIND,
         FigureKind::Rays => rays::KIND,
+        FigureKind::Paths => paths::KIND,
+        FigureKind::Gather => gather::KIND,
+        FigureKind::Connections => connections::KIND,
+        FigureKind::Irradiance => irradiance::KIND,
         FigureKind::Shading => shading::KIND,
         FigureKind::LineOfT => line_of_t::KIND,
         FigureKind::Sphere => sphere::KIND,

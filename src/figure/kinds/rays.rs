@@ -1,5 +1,5 @@
-//! The rays of a pixel in the scene: from the eye through the window, to the lights, reflected and refracted
-//! (slides, "Type of Ray Tracing Algorithm" and "Ray Tracing Algorithm Example").
+//! The rays of a pixel in the scene: from the eye through the window, to the lights, reflected and refracted; before
+//! them the paths of light that led to it (slides, "Type of Ray Tracing Algorithm" and "Ray Tracing Algorithm Example").
 
 use glam::{DVec2, DVec3};
 
@@ -11,10 +11,11 @@ use crate::figure::look::Look;
 use crate::figure::scenery;
 use crate::figure::sheet::Sheet;
 use crate::figure::spec::Layer;
+use crate::figure::traced::Section;
 use crate::figure::view::Stage;
 use crate::geometry::Ray;
 use crate::scene::PrimitiveId;
-use crate::trace::{Outcome, Purpose, RayNode, RayTree, Record};
+use crate::trace::{Outcome, Purpose, RayNode, RayTree};
 
 pub(super) const KIND: Kind = Kind {
     draw,
@@ -28,20 +29,25 @@ pub(super) const KIND: Kind = Kind {
         Layer::Ray,
         Layer::ShadowRays,
         Layer::Secondary,
+        Layer::LightPaths,
+        Layer::Connections,
         Layer::Hits,
     ],
     more: &[Layer::Normals, Layer::Angles, Layer::Legend],
 };
 
 fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, FigureError> {
-    let mut trees = Vec::new();
+    let mut sections = figure.first.paths();
     for pixel in figure.pixels() {
-        let records = figure.records_of(pixel)?;
-        trees.push((records, RayTree::new(records)));
+        sections.push(figure.section_of(pixel)?);
     }
-    if trees.is_empty() {
+    if sections.is_empty() {
         figure.pixel()?;
     }
+    let trees: Vec<_> = sections
+        .into_iter()
+        .map(|section| (section, RayTree::new(section.records)))
+        .collect();
     let shown = |node: &&RayNode| {
         node.start
             .is_some_and(|start| figure.shows(layer(start.purpose)))
@@ -80,9 +86,10 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
     }
     let mut sentences = Vec::new();
     let mut named = Vec::new();
-    for (records, tree) in &trees {
+    for (section, tree) in &trees {
+        let records = section.records;
         for node in tree.rays.iter().filter(shown) {
-            sheet.at_step(node.ends_at[0].map(|at| records[at].step));
+            sheet.at_step(node.ends_at[0].map(|at| section.step(&records[at])));
             ray(figure, sheet, &stage, node, &mut named);
             sentences.extend(in_words(figure, node));
             surface::draw(figure, sheet, &stage, records, node);
@@ -107,9 +114,8 @@ fn look(purpose: Purpose) -> Look {
     match purpose {
         Purpose::Eye => Look::RAY,
         Purpose::Shadow => Look::SHADOW_RAY,
-        Purpose::Reflected => Look::REFLECTED_RAY,
+        Purpose::Reflected | Purpose::Scattered => Look::REFLECTED_RAY,
         Purpose::Refracted => Look::REFRACTED_RAY,
-        Purpose::Scattered => Look::REFLECTED_RAY,
         Purpose::Light => Look::LIGHT_RAY,
         Purpose::Connection => Look::CONNECTION,
     }
@@ -129,12 +135,7 @@ fn name(purpose: Purpose) -> &'static str {
 }
 
 /// Which looks there are in this figure.
-fn legend(
-    trees: &[(&[Record], RayTree)],
-    figure: &Figure,
-    sheet: &mut Sheet,
-    body: Frame,
-) -> Frame {
+fn legend(trees: &[(Section, RayTree)], figure: &Figure, sheet: &mut Sheet, body: Frame) -> Frame {
     let is_there = |purpose: &Purpose| {
         let nodes = trees.iter().flat_map(|(_, tree)| &tree.rays);
         let mut starts = nodes.filter_map(|node| node.start);
@@ -161,8 +162,8 @@ fn legend(
 fn end_of(node: &RayNode) -> Option<DVec3> {
     let (start, end) = (node.start?, node.end?);
     let t = end.t.or_else(|| {
-        // a ray to a light ends there
-        (end.outcome == Outcome::ReachesLight).then_some(start.range.max)
+        // a ray to a light ends there, a connecting line at its other end
+        matches!(end.outcome, Outcome::ReachesLight | Outcome::Connects).then_some(start.range.max)
     })?;
     t.is_finite().then(|| start.ray.at(t))
 }

@@ -1,0 +1,133 @@
+//! The photons nearest to a point, as they lie on its surface, and the density that follows from them (slides, "Type
+//! of Ray Tracing Algorithm": hybrid with storage on surfaces; Jensen 1996).
+
+use glam::{DVec2, DVec3};
+
+use crate::figure::canvas::quantity;
+use crate::figure::drawing::Figure;
+use crate::figure::error::FigureError;
+use crate::figure::frame::Frame;
+use crate::figure::gathering::Gathering;
+use crate::figure::kinds::Kind;
+use crate::figure::light_path::LightPath;
+use crate::figure::look::Look;
+use crate::figure::outline::{self, Outline, Rim};
+use crate::figure::scenery;
+use crate::figure::sheet::Sheet;
+use crate::figure::spec::Layer;
+use crate::figure::view::Stage;
+
+pub(super) const KIND: Kind = Kind {
+    draw,
+    height: 480.0,
+    usual: &[Layer::Objects, Layer::Hits, Layer::Numbers],
+    more: &[],
+};
+
+fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, FigureError> {
+    let section = figure.section_of(figure.pixel()?)?;
+    let gatherings = Gathering::all(&section);
+    let with_disc = gatherings
+        .iter()
+        .find_map(|of| Some((of, of.gathered.radius?, of.disc(figure.scene)?)));
+    let Some((gathering, radius, rim)) = with_disc else {
+        return Err(FigureError::new(
+            "pixel",
+            "no photons were gathered one by one at this pixel",
+            "take the transport hybrid-stored without \"map\", and a pixel that sees a diffuse surface",
+        ));
+    };
+    let numbers = numbers(gathering);
+    let body = if figure.shows(Layer::Numbers) {
+        sheet.at_step(gathering.step);
+        sheet.lines(body, &numbers)
+    } else {
+        body
+    };
+    let stage = figure.stage(body, rim.iter().copied());
+    let object = gathering.gathered.object;
+    sheet.at_step(None);
+    if figure.shows(Layer::Objects) {
+        let shape = &figure.scene.primitive(object).shape;
+        let outline = Outline::of(shape, &stage.projection);
+        outline::draw(sheet, &stage, &outline, Look::OBJECT);
+        let name = scenery::name_of(figure.scene, object);
+        sheet.label_in(stage.frame, name);
+    }
+    sheet.cut_at(stage.frame);
+    if figure.shows(Layer::Hits) {
+        stored(figure, sheet, &stage, gathering);
+    }
+    let rim: Vec<DVec2> = rim.iter().map(|at| stage.projection.of(*at)).collect();
+    sheet.at_step(gathering.step);
+    outline::rim(sheet, &stage, &Rim::Points(rim), Look::HIT);
+    photons(sheet, &stage, gathering, radius);
+    sheet.cut_at(None);
+    sheet.at_step(None);
+    let object = scenery::name_of(figure.scene, object);
+    Ok(format!(
+        "Photons on {object} around the point p that the eye ray meets. {}.",
+        numbers.join(", ")
+    ))
+}
+
+/// The working of the density, in lines.
+fn numbers(gathering: &Gathering) -> Vec<String> {
+    let near = gathering.nearby.len();
+    let counted = gathering.gathered.count;
+    let mut lines = vec![format!(
+        "Of the {near} nearest photons {counted} count: the last one ends the disc"
+    )];
+    lines.extend(gathering.working());
+    lines
+}
+
+/// All photons on the surface that the shown paths have left.
+fn stored(figure: &Figure, sheet: &mut Sheet, stage: &Stage, gathering: &Gathering) {
+    let sections = figure.first.paths();
+    for path in sections.iter().filter_map(LightPath::of) {
+        for leg in &path.legs {
+            let Some(photon) = leg.stored else {
+                continue;
+            };
+            let is_near = |point: DVec3| gathering.nearby.iter().any(|(_, of)| of.point == point);
+            if photon.object != gathering.gathered.object || is_near(photon.point) {
+                continue;
+            }
+            sheet.at_step(leg.step);
+            let radius = 2.0 * sheet.unit();
+            let look = Look::THIN.inside().full();
+            sheet.circle(look, stage.place(photon.point), radius);
+        }
+    }
+}
+
+/// The point, the photons around it and how far the last of them is.
+fn photons(sheet: &mut Sheet, stage: &Stage, gathering: &Gathering, radius: f64) {
+    let at = stage.place(gathering.gathered.point);
+    let counted = gathering.counted().len();
+    for (place, (step, photon)) in gathering.nearby.iter().enumerate() {
+        sheet.at_step(*step);
+        let to = stage.place(photon.point);
+        if place < counted {
+            sheet.dot(Look::HIT, to);
+            continue;
+        }
+        sheet.at_step(gathering.step);
+        sheet.line(Look::HELP, at, to);
+        sheet.ring(Look::REJECTED, to);
+        let middle = at.lerp(to, 0.5);
+        let across = (to - at).perp().normalize_or_zero();
+        sheet.label(
+            stage.frame,
+            middle,
+            across,
+            format!("r = {}", quantity(radius)),
+        );
+        let outwards = (to - at).normalize_or_zero();
+        sheet.label(stage.frame, to, outwards, "does not count");
+    }
+    sheet.at_step(gathering.step);
+    sheet.cross(Look::RAY, at);
+    sheet.label(stage.frame, at, DVec2::new(-1.0, 1.0), "p");
+}

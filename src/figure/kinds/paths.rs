@@ -1,0 +1,400 @@
+//! Paths of light in the scene: those that lead to the eye, by its aperture or by photons that it gathers, and those
+//! that are wasted (slides, "Type of Ray Tracing Algorithm": forward, and hybrid with storage on surfaces).
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use glam::DVec2;
+
+use crate::explain::grouped;
+use crate::figure::canvas::quantity;
+use crate::figure::disc;
+use crate::figure::drawing::Figure;
+use crate::figure::error::FigureError;
+use crate::figure::frame::Frame;
+use crate::figure::gathering::Gathering;
+use crate::figure::kinds::Kind;
+use crate::figure::light_path::{Leg, LightPath, Use, gathered_from};
+use crate::figure::look::Look;
+use crate::figure::outline::{self, Rim};
+use crate::figure::scenery;
+use crate::figure::sheet::{Anchor, Sheet};
+use crate::figure::spec::Layer;
+use crate::figure::traced::Section;
+use crate::figure::view::Stage;
+use crate::trace::{Purpose, RayTree, Transport};
+
+pub(super) const KIND: Kind = Kind {
+    draw,
+    height: 440.0,
+    usual: &[
+        Layer::Objects,
+        Layer::Names,
+        Layer::Eye,
+        Layer::Window,
+        Layer::Lights,
+        Layer::LightPaths,
+        Layer::Ray,
+        Layer::Hits,
+        Layer::Legend,
+        Layer::Numbers,
+    ],
+    more: &[],
+};
+
+/// The paths that are shown, and what each leg of them is good for.
+struct Shown<'a> {
+    paths: Vec<(LightPath<'a>, Vec<Use>)>,
+    /// What was gathered at the pixels, with their events.
+    pixels: Vec<(Section<'a>, Vec<Gathering<'a>>)>,
+    transport: Transport,
+}
+
+impl<'a> Shown<'a> {
+    fn of(figure: &Figure<'a>) -> Result<Self, FigureError> {
+        let mut pixels = Vec::new();
+        let mut surfaces: BTreeMap<u32, u32> = BTreeMap::new();
+        for pixel in figure.pixels() {
+            let section = figure.section_of(pixel)?;
+            for (path, surface) in gathered_from(section.records) {
+                let last = surfaces.entry(path).or_default();
+                *last = surface.max(*last);
+            }
+            pixels.push((section, Gathering::all(&section)));
+        }
+        let with_uses = |section: &Section<'a>| {
+            let path = LightPath::of(section)?;
+            let uses = path.uses(surfaces.get(&path.start.path).copied());
+            Some((path, uses))
+        };
+        let sections = figure.first.paths();
+        let paths: Vec<_> = sections.iter().filter_map(with_uses).collect();
+        if paths.is_empty() {
+            return Err(FigureError::new(
+                "paths",
+                "the log holds no path of light",
+                "take a \"transport\" that follows light and show some: \"paths\": 20",
+            ));
+        }
+        Ok(Self {
+            paths,
+            pixels,
+            transport: figure.first.settings.transport,
+        })
+    }
+
+    /// Of how many paths is this the best use? Their first legs lead to all that the others lead to.
+    fn count(&self, of: Use) -> usize {
+        let paths = self.paths.iter();
+        paths.filter(|(_, uses)| uses.first() == Some(&of)).count()
+    }
+
+    /// How many paths there are, shown or not.
+    fn all(&self) -> String {
+        let first = self.paths.first();
+        grouped(first.map_or(0, |(path, _)| path.start.paths.into()))
+    }
+
+    /// How many photons the shown paths have stored.
+    fn stored(&self) -> usize {
+        let legs = self.paths.iter().flat_map(|(path, _)| &path.legs);
+        legs.filter(|leg| leg.stored.is_some()).count()
+    }
+
+    fn legend(&self, figure: &Figure) -> Vec<(Look, String)> {
+        let words = |of: Use| match (of, self.transport) {
+            (Use::Seen, Transport::HybridStored) => "leads to one of the nearest photons",
+            (Use::Seen, _) => "reaches the eye",
+            (Use::Stored, _) => "leads to another photon",
+            (Use::Wasted, _) => "wasted",
+        };
+        let is_there = |of: &Use| self.paths.iter().any(|(_, uses)| uses.contains(of));
+        let entry = |of: Use| match self.count(of) {
+            // such legs are the ends of better paths
+            0 => (look(of), words(of).to_owned()),
+            count => (look(of), format!("{}: {count}", words(of))),
+        };
+        drawn(figure)
+            .iter()
+            .copied()
+            .filter(is_there)
+            .map(entry)
+            .collect()
+    }
+}
+
+/// Which legs are drawn.
+fn drawn(figure: &Figure) -> &'static [Use] {
+    if figure.spec.paths.is_some() {
+        &[Use::Seen, Use::Stored, Use::Wasted]
+    } else {
+        // only what leads to the pixels was asked for
+        &[Use::Seen]
+    }
+}
+
+fn look(of: Use) -> Look {
+    match of {
+        Use::Seen => Look::LIGHT_RAY,
+        Use::Stored => Look::UNSEEN_LIGHT,
+        Use::Wasted => Look::WASTED_LIGHT,
+    }
+}
+
+fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, FigureError> {
+    let shown = Shown::of(figure)?;
+    let body = if figure.shows(Layer::Legend) {
+        let entries = shown.legend(figure);
+        let entries: Vec<(Look, &str)> = entries
+            .iter()
+            .map(|(look, text)| (*look, text.as_str()))
+            .collect();
+        sheet.legend(body, &entries)
+    } else {
+        body
+    };
+    let body = if figure.shows(Layer::Numbers) {
+        numbers(sheet, body, &shown)
+    } else {
+        body
+    };
+    let stage = figure.stage(body, scenery::points_of(figure));
+    if figure.shows(Layer::Objects) {
+        scenery::objects(figure, sheet, &stage, |_| Look::OBJECT);
+    }
+    if figure.shows(Layer::Names) {
+        scenery::names(figure, sheet, &stage);
+    }
+    if figure.shows(Layer::Window) {
+        scenery::window(figure, sheet, &stage);
+    }
+    if figure.shows(Layer::Eye) {
+        eye(figure, sheet, &stage);
+    }
+    if figure.shows(Layer::Lights) {
+        scenery::lights(figure, sheet, &stage);
+    }
+    if figure.shows(Layer::LightPaths) {
+        paths(figure, sheet, &stage, &shown);
+    }
+    for (section, gatherings) in &shown.pixels {
+        if figure.shows(Layer::Ray) {
+            eye_rays(figure, sheet, &stage, section);
+        }
+        if figure.shows(Layer::Hits) {
+            for gathering in gatherings {
+                disc_around(figure, sheet, &stage, gathering);
+            }
+        }
+    }
+    sheet.at_step(None);
+    Ok(in_words(figure, &shown))
+}
+
+/// What came of the paths, in lines at the top; gives back the frame that is left.
+fn numbers(sheet: &mut Sheet, body: Frame, shown: &Shown) -> Frame {
+    let all = shown.all();
+    let of = grouped(shown.paths.len() as u64);
+    let first = match shown.transport {
+        Transport::HybridStored => format!(
+            "Step 1: {of} of {all} paths of light, and the {} photons that they store",
+            grouped(shown.stored() as u64)
+        ),
+        _ => format!("{of} of {all} paths of light"),
+    };
+    let mut lines = vec![(None, first)];
+    for (_, gatherings) in &shown.pixels {
+        for of in gatherings {
+            let mut working = of.working();
+            if let Some(first) = working.first_mut() {
+                first.insert_str(0, "Step 2: the eye ray gathers ");
+            }
+            lines.extend(working.into_iter().map(|text| (Some(of.step), text)));
+        }
+    }
+    for (place, (step, text)) in lines.iter().enumerate() {
+        sheet.at_step(*step);
+        let down = (place as f64 + 0.5) * sheet.line_height();
+        let at = body.min + DVec2::new(0.0, down);
+        sheet.text(Anchor::Start, at, text.as_str());
+    }
+    sheet.at_step(None);
+    let [_, rest] = body.split_top((lines.len() as f64 + 0.4) * sheet.line_height());
+    rest
+}
+
+/// The eye with its aperture, where light must pass it.
+fn eye(figure: &Figure, sheet: &mut Sheet, stage: &Stage) {
+    let settings = &figure.first.settings;
+    if settings.transport == Transport::Forward {
+        let camera = &figure.scene.camera;
+        let radius = settings.light.aperture_radius(camera);
+        let rim = disc::rim(camera.cop, camera.window_normal(), radius);
+        let rim: Vec<DVec2> = rim.iter().map(|at| stage.projection.of(*at)).collect();
+        let top = rim.iter().copied().max_by(|a, b| a.y.total_cmp(&b.y));
+        outline::rim(sheet, stage, &Rim::Points(rim), Look::VISITED.wide(3.0));
+        let top = top.map(|top| stage.place_flat(top));
+        if let Some(top) = top.filter(|top| stage.frame.contains(*top)) {
+            sheet.label(stage.frame, top, DVec2::NEG_Y, "aperture");
+        }
+    }
+    scenery::eye(figure, sheet, stage);
+}
+
+/// The legs of all paths with the photons at their ends.
+fn paths(figure: &Figure, sheet: &mut Sheet, stage: &Stage, shown: &Shown) {
+    for (path, uses) in &shown.paths {
+        for (leg, of) in path.legs.iter().zip(uses) {
+            if drawn(figure).contains(of) {
+                sheet.at_step(leg.step);
+                draw_leg(figure, sheet, stage, leg, *of);
+            }
+        }
+    }
+}
+
+fn draw_leg(figure: &Figure, sheet: &mut Sheet, stage: &Stage, leg: &Leg, of: Use) {
+    let ray = &leg.start.ray;
+    let end = match (leg.arrival, leg.end.t) {
+        // it goes on behind the eye, where nobody looks
+        (Some(arrival), _) => Some(arrival.aperture),
+        (None, t) => t.map(|t| ray.at(t)),
+    };
+    let to = match end {
+        Some(end) => stage.place(end),
+        None => match stage.leaves(ray) {
+            Some(t) => stage.place(ray.at(t)),
+            None => return,
+        },
+    };
+    let Some([from, to]) = stage.frame.cut_line([stage.place(ray.origin), to]) else {
+        return;
+    };
+    let is_seen = of == Use::Seen;
+    let has_dot = leg.stored.is_some() && figure.shows(Layer::Hits);
+    if is_seen && (has_dot || leg.arrival.is_some()) {
+        // where it comes to
+        let gap = if has_dot { 3.0 * sheet.unit() } else { 0.0 };
+        let along = (to - from).normalize_or_zero();
+        sheet.arrow(look(of), from, to - gap * along);
+    } else {
+        sheet.line(look(of), from, to);
+    }
+    if has_dot {
+        let radius = if is_seen { 3.0 } else { 2.0 } * sheet.unit();
+        sheet.circle(look(of).inside().full(), to, radius);
+    }
+}
+
+/// The rays from the eye, and what was sent on from them.
+fn eye_rays(figure: &Figure, sheet: &mut Sheet, stage: &Stage, section: &Section) {
+    let tree = RayTree::new(section.records);
+    for node in &tree.rays {
+        let (Some(start), Some(end), [_, Some(at)]) = (node.start, node.end, node.ends_at) else {
+            continue;
+        };
+        let Some(t) = end.t.or_else(|| stage.leaves(&start.ray)) else {
+            continue;
+        };
+        let ends = [start.ray.origin, start.ray.at(t)].map(|of| stage.place(of));
+        let Some([from, to]) = stage.frame.cut_line(ends) else {
+            continue;
+        };
+        sheet.at_step(section.step(&section.records[at]));
+        let look = match start.purpose {
+            Purpose::Eye => Look::RAY,
+            Purpose::Refracted => Look::REFRACTED_RAY,
+            _ => Look::REFLECTED_RAY,
+        };
+        sheet.arrow(look, from, to);
+        if start.purpose == Purpose::Eye {
+            let across = (to - from).perp().normalize_or_zero();
+            let up = if 0.0 < across.y { -across } else { across };
+            sheet.label(stage.frame, from.lerp(to, 0.45), up, "eye ray");
+        }
+        if figure.shows(Layer::Hits) && end.t.is_some() {
+            sheet.dot(Look::HIT, to);
+        }
+    }
+}
+
+/// The disc around a point that holds its nearest photons.
+fn disc_around(figure: &Figure, sheet: &mut Sheet, stage: &Stage, gathering: &Gathering) {
+    let Some(rim) = gathering.disc(figure.scene) else {
+        return;
+    };
+    sheet.at_step(gathering.step);
+    let rim: Vec<DVec2> = rim.iter().map(|at| stage.projection.of(*at)).collect();
+    let [left, right] = ends_across(&rim).map(|at| stage.place_flat(at));
+    outline::rim(sheet, stage, &Rim::Points(rim), Look::HIT.wide(5.0));
+    let end = if left.x < right.x { right } else { left };
+    if stage.frame.contains(end) {
+        let text = format!("disc of {} photons", gathering.gathered.count);
+        sheet.label(stage.frame, end, DVec2::ONE, text);
+    }
+}
+
+/// The two points that are farthest apart to the right and to the left.
+fn ends_across(rim: &[DVec2]) -> [DVec2; 2] {
+    let first = rim.first().copied().unwrap_or_default();
+    rim.iter().fold([first; 2], |[left, right], &at| {
+        [
+            if at.x < left.x { at } else { left },
+            if right.x < at.x { at } else { right },
+        ]
+    })
+}
+
+fn in_words(figure: &Figure, shown: &Shown) -> String {
+    let (of, are) = (shown.paths.len(), shown.count(Use::Seen));
+    let mut sentences = vec![format!(
+        "Of {} paths of light {} are shown.",
+        shown.all(),
+        grouped(of as u64)
+    )];
+    match shown.transport {
+        Transport::Forward => {
+            let radius = figure
+                .first
+                .settings
+                .light
+                .aperture_radius(&figure.scene.camera);
+            let mut through = BTreeSet::new();
+            let legs = shown.paths.iter().flat_map(|(path, _)| &path.legs);
+            through.extend(legs.filter_map(|leg| Some(leg.arrival?.pixel)));
+            let through: Vec<String> = through.iter().map(|[x, y]| format!("({x}, {y})")).collect();
+            sentences.push(format!(
+                "{are} of them reach the eye, through a disc of radius {} around the COP; {} are wasted.",
+                quantity(radius),
+                of - are
+            ));
+            if !through.is_empty() {
+                sentences.push(format!(
+                    "They are seen in the pixels {}.",
+                    through.join(", ")
+                ));
+            }
+        }
+        _ => {
+            let stored = grouped(shown.stored() as u64);
+            sentences.push(format!("They leave {stored} photons on surfaces."));
+            for (_, gatherings) in &shown.pixels {
+                sentences.extend(gatherings.iter().map(|of| gathered_in_words(figure, of)));
+            }
+        }
+    }
+    sentences.join(" ")
+}
+
+/// What was gathered at a point.
+fn gathered_in_words(figure: &Figure, gathering: &Gathering) -> String {
+    let object = scenery::name_of(figure.scene, gathering.gathered.object);
+    let within = gathering
+        .gathered
+        .radius
+        .map_or(String::new(), |r| format!(" within {}", quantity(r)));
+    format!(
+        "An eye ray meets {object}; there {} photons count{within}: {}.",
+        gathering.gathered.count,
+        gathering.working().join(" ")
+    )
+}
