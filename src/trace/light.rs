@@ -189,7 +189,8 @@ pub struct Connection {
     pub visible: bool,
     /// By the balance heuristic, in 0..1; 0 if something stands between.
     pub weight: f64,
-    /// What it adds to the pixel.
+    /// What it brings: to the pixel, if the vertex is the eye; otherwise times the number of the picture's pixels,
+    /// for a pixel is connected to its own share of the paths alone.
     pub contribution: DVec3,
 }
 

@@ -188,7 +188,7 @@ impl Fields for Connection {
         v.field("weight", "by the balance heuristic", &mut self.weight);
         v.field(
             "contribution",
-            "what it adds to the pixel",
+            "what it brings to the pixel; times the number of pixels unless eye_vertex is 0",
             &mut self.contribution,
         );
     }

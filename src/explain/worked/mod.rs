@@ -104,12 +104,10 @@ struct Solution<'a> {
 
 impl<'a> Solution<'a> {
     fn write(&mut self, records: &'a [Record]) {
-        let is_of_pixel = |record: &Record| record.pixel.is_some();
-        let first = records.iter().position(is_of_pixel);
-        let (before, pixel) = records.split_at(first.unwrap_or(records.len()));
-        let is_of_path = |record: &Record| record.path.is_some();
-        let first = before.iter().position(is_of_path);
-        let (building, paths) = before.split_at(first.unwrap_or(before.len()));
+        // what is built comes first, then the paths; all that follows is the pixel's
+        let is_built = |record: &Record| record.event.kind().is_of_building();
+        let (building, traced) = split(records, is_built);
+        let (paths, pixel) = split(traced, |record| record.path.is_some());
 
         self.title();
         if let Some(id) = self.options.ray {
@@ -128,6 +126,12 @@ impl<'a> Solution<'a> {
         self.records = records;
         self.tree = RayTree::new(records);
     }
+}
+
+/// Those at the beginning of which something holds, and the rest.
+fn split(records: &[Record], holds: impl Fn(&Record) -> bool) -> (&[Record], &[Record]) {
+    let first = records.iter().position(|record| !holds(record));
+    records.split_at(first.unwrap_or(records.len()))
 }
 
 impl Solution<'_> {
