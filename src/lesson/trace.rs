@@ -13,6 +13,9 @@ use crate::tracer::{LightError, LightPass, Tracer, check_light, paths_behind, tr
 /// The most pixels that a figure's picture may have: all are traced, and each is a square.
 const MOST_PIXELS: u64 = 512 * 512;
 
+/// The most paths of light that are followed for a figure: some ten seconds.
+const MOST_FOLLOWED: u64 = 10_000_000;
+
 /// The most paths of light that a figure may show: all their events are kept.
 const MOST_PATHS: u32 = 10_000;
 
@@ -92,6 +95,16 @@ pub fn trace_figure(
         };
         let chosen = Chosen::new(&scene, strategy, &structure)
             .map_err(|fault| error("structure", fault.to_string(), "change it in the lesson"))?;
+        let followed = settings.light_paths(scene.camera.pixels);
+        if MOST_FOLLOWED < followed {
+            return Err(error(
+                "light",
+                format!(
+                    "{followed} paths of light are too many for a figure: all of them are followed"
+                ),
+                "lower \"paths\" or \"samples\" in \"light\", to at most 10 million paths in all",
+            ));
+        }
         check_light(&scene, &chosen, &settings).map_err(|fault| wrong(no_light(&fault)))?;
         let around = Region::around(&whole);
         let light = LightPass::new(&scene, &chosen, &settings, around, |Off| (), |_| ());
@@ -166,9 +179,10 @@ fn no_light(fault: &LightError) -> FigureError {
         | LightError::Albedo { .. }
         | LightError::Inside { .. }
         | LightError::Endless { .. } => "scene",
-        LightError::NoPaths { .. } | LightError::TooMany { .. } | LightError::OutOfRange { .. } => {
-            "light"
-        }
+        LightError::NoPaths { .. }
+        | LightError::TooMany { .. }
+        | LightError::TooManyCells { .. }
+        | LightError::OutOfRange { .. } => "light",
     };
     FigureError {
         key,

@@ -23,6 +23,9 @@ pub(super) struct IlluminationMap {
     cells: Vec<(DVec3, u32)>,
 }
 
+/// How much memory a cell takes.
+pub(super) const BYTES_PER_CELL: usize = size_of::<(DVec3, u32)>();
+
 /// What a map says about a place.
 pub(super) struct CellLight {
     pub(super) power: DVec3,

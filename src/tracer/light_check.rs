@@ -5,10 +5,11 @@ use std::time::{Duration, Instant};
 use glam::DVec3;
 
 use crate::geometry::{Ray, Sides, TRange};
-use crate::scene::{Emission, Light, Object, PrimitiveId, Scene, Shape};
+use crate::scene::{Emission, LARGEST, Light, Object, PrimitiveId, Scene, Shape};
 use crate::strategy::{Strategy, test_primitive};
 use crate::trace::{Counts, Off, Purpose, Settings, Transport};
 use crate::tracer::hybrid_stored::bytes_per_photon;
+use crate::tracer::illumination_map::BYTES_PER_CELL;
 use crate::tracer::light_path::Lamps;
 use crate::tracer::walk::{MOST_SURFACES, NoWatcher};
 use crate::tracer::{LightError, Tracer};
@@ -21,6 +22,9 @@ const MOST_BYTES: f64 = 8.0 * 1024.0 * 1024.0 * 1024.0;
 
 /// The most cells along a side of an illumination map.
 const MOST_CELLS: u32 = 4096;
+
+/// The most memory that all illumination maps together may take.
+const MOST_MAP_BYTES: f64 = 2.0 * 1024.0 * 1024.0 * 1024.0;
 
 /// How many paths are followed to find out whether they end, and what all of them would take.
 const PROBE: u32 = 64;
@@ -83,15 +87,38 @@ fn check_numbers(scene: &Scene, settings: &Settings) -> Result<(), LightError> {
             Err(LightError::OutOfRange { option, must })
         }
     };
-    let aperture = options.aperture.unwrap_or(1.0);
-    let holds = (0.0..f64::INFINITY).contains(&aperture);
-    within("--aperture", "a radius of 0 or more", holds)?;
+    // as large as any length of a scene: its square is still a number
+    let holds = (0.0..=LARGEST).contains(&options.aperture.unwrap_or(0.0));
+    within("--aperture", "a radius of 0 or more, at most 1e50", holds)?;
     let holds = 1 <= options.bounces.unwrap_or(1);
     within("--bounces", "a number of surfaces from 1 on", holds)?;
     let must = "at least 2: of k photons k - 1 count";
     within("--nearest", must, 2 <= options.nearest)?;
     let holds = (1..=MOST_CELLS).contains(&options.map.unwrap_or(1));
-    within("--map", "a number of cells from 1 to 4096", holds)
+    within("--map", "a number of cells from 1 to 4096", holds)?;
+    options.map.map_or(Ok(()), |cells| check_maps(scene, cells))
+}
+
+/// Do the maps of all flat faces fit into memory? Light may fall on both sides of each.
+fn check_maps(scene: &Scene, cells: u32) -> Result<(), LightError> {
+    let faces = |object: &Object| match &scene.primitive(object.first).shape {
+        Shape::Polygon(_) if !object.is_mesh => 1,
+        Shape::Box(_) => 6,
+        _ => 0,
+    };
+    let sides = 2 * scene.objects.iter().map(faces).sum::<u64>();
+    let bytes_at = |along: f64| sides as f64 * along * along * BYTES_PER_CELL as f64;
+    let bytes = bytes_at(f64::from(cells));
+    if bytes <= MOST_MAP_BYTES {
+        return Ok(());
+    }
+    let most = (MOST_MAP_BYTES / bytes_at(1.0)).sqrt() as u32;
+    Err(LightError::TooManyCells {
+        cells,
+        sides,
+        bytes,
+        most,
+    })
 }
 
 fn option_of_paths(settings: &Settings) -> &'static str {
@@ -213,7 +240,7 @@ fn left_out(scene: &Scene, settings: &Settings) -> Vec<String> {
         );
     }
     if settings.transport == Transport::Forward
-        && settings.light.aperture_radius(&scene.camera) == 0.0
+        && settings.light.aperture_radius(&scene.camera).powi(2) == 0.0
     {
         notes.push(
             "the eye is a pinhole, of aperture 0: no photon can pass through a point, so none arrives and the \

@@ -52,6 +52,17 @@ pub enum LightError {
         /// How many surfaces a path has met when it was given up.
         surfaces: u32,
     },
+    /// Maps with more cells than there is memory for.
+    TooManyCells {
+        /// Along the longer side of a face.
+        cells: u32,
+        /// Sides of flat faces.
+        sides: u64,
+        /// How much memory they would take.
+        bytes: f64,
+        /// How many there may be.
+        most: u32,
+    },
     /// A number out of its range.
     OutOfRange {
         /// The option.
@@ -95,7 +106,18 @@ impl fmt::Display for LightError {
             }
             Self::Endless { surfaces } => write!(
                 f,
-                "a path of light met {surfaces} surfaces and went on: nothing absorbs it, and it does not get out"
+                "a path of light met {surfaces} surfaces and went on: hardly anything absorbs it, and it does not get out"
+            ),
+            Self::TooManyCells {
+                cells,
+                sides,
+                bytes,
+                ..
+            } => write!(
+                f,
+                "maps with {cells} cells along the longer side, on {sides} sides of flat faces, would take up to {} of \
+                 memory",
+                Bytes(*bytes)
             ),
             Self::OutOfRange { option, must } => write!(f, "{option} must be {must}"),
         }
@@ -128,6 +150,7 @@ impl LightError {
             Self::Endless { .. } => {
                 "lower the albedo of a material, or end the paths with --bounces, such as --bounces 20".into()
             }
+            Self::TooManyCells { most, .. } => format!("give --map a number of at most {most}"),
             Self::OutOfRange { option, .. } => format!("change {option}"),
         }
     }

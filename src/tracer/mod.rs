@@ -52,6 +52,12 @@
 //!   a caustic. A caustic itself is found by lines from the floor to the eye.
 //! - A lamp is a point without area: its own image would be a point of unlimited radiance.
 //!
+//! Paths of light end by chance; `bounces` ends them sooner. Where the eye's rays branch at mirrors and glass, in
+//! *hybrid-stored* as in *hybrid-light*, the scene's `max_depth` ends them, and `bounces` does not count them.
+//!
+//! A light inside an opaque solid is a mistake if the solid shows its front alone, for then it does not face inwards.
+//! One that shows both sides does, and is a room; it is worth a note if the eye is outside.
+//!
 //! The table is held by `tests/transports/effects.rs`.
 
 mod backward;

@@ -46,6 +46,15 @@ fn a_figure_that_cannot_be_drawn_is_told_with_its_line() {
              "structure": { "grid": { "density": 0 } } }"#,
         &["figures.f.structure", "density"],
     );
+    // what went wrong: the paths were followed for hours
+    refuses(
+        r#"{ "kind": "rays", "scene": "scene.json", "pixel": [4, 4], "transport": "hybrid-connected",
+             "light": { "samples": 1000000 } }"#,
+        &[
+            "figures.f.light: 81000000 paths of light are too many for a figure",
+            "10 million",
+        ],
+    );
 }
 
 #[test]

@@ -235,7 +235,7 @@ fn light_that_nothing_absorbs_and_that_does_not_get_out_is_refused() {
         assert_data_eq!(
             message,
             str![[r#"
-error: scene.json: a path of light met 10000 surfaces and went on: nothing absorbs it, and it does not get out
+error: scene.json: a path of light met 10000 surfaces and went on: hardly anything absorbs it, and it does not get out
   lower the albedo of a material, or end the paths with --bounces, such as --bounces 20
 
 "#]]
@@ -243,6 +243,36 @@ error: scene.json: a path of light met 10000 surfaces and went on: nothing absor
     }
     let words = "render scene.json --transport forward --paths 100 --bounces 5 -o x.png";
     folder.run(words).well();
+}
+
+#[test]
+fn maps_that_do_not_fit_into_memory_are_refused_with_what_they_would_take() {
+    // what went wrong: the memory ran out and the program was killed. 15 boxes have 180 sides; with the floor's 2,
+    // 182 · 4096² · 32 bytes are 97.7 GB, and 2 GiB hold √(2³¹/(182·32)) = 607.2 cells along a side
+    let crate_of = |i: usize| {
+        format!(
+            r#"{{ "name": "box {i}", "material": "grey",
+            "shape": {{ "box": {{ "min": [{i}, 9, 0], "max": [{i}.5, 10, 1] }} }} }}, "#
+        )
+    };
+    let boxes: String = (0..15).map(crate_of).collect();
+    let scene = LAMP.replacen(
+        r#"{ "name": "floor""#,
+        &format!(r#"{boxes}{{ "name": "floor""#),
+        1,
+    );
+    let folder = Folder::empty().with("scene.json", scene);
+    assert_data_eq!(
+        refuses_in(
+            &folder,
+            "render scene.json --transport hybrid-stored --map 4096"
+        ),
+        str![[r#"
+error: scene.json: maps with 4096 cells along the longer side, on 182 sides of flat faces, would take up to 98 GB of memory
+  give --map a number of at most 607
+
+"#]]
+    );
 }
 
 #[test]
@@ -254,6 +284,7 @@ fn numbers_out_of_their_range_are_told_with_the_range() {
         ("--transport forward --bounces 0", "from 1 on"),
         ("--transport forward --aperture -1", "0 or more"),
         ("--transport forward --aperture NaN", "0 or more"),
+        ("--transport forward --aperture 1e51", "at most 1e50"),
     ] {
         let message = refuses_options(options);
         assert!(message.contains(must), "{options}: {message}");

@@ -190,7 +190,7 @@ impl Solution<'_> {
         }
         let radiances: Vec<DVec3> = arrivals.iter().map(|&(_, radiance)| radiance).collect();
         let what = format!(
-            "what {} of {paths} has brought",
+            "what {} of {paths} brought",
             count(arrivals.len(), "photon")
         );
         vec![self.written_sum(&what, &radiances, raw)]
