@@ -82,6 +82,19 @@ pub(super) fn names(figure: &Figure, sheet: &mut Sheet, stage: &Stage) {
     names_of(figure, sheet, stage, |_| true);
 }
 
+/// The window, the eye and the lights, as far as they are shown.
+pub(super) fn camera_and_lights(figure: &Figure, sheet: &mut Sheet, stage: &Stage) {
+    if figure.shows(Layer::Window) {
+        window(figure, sheet, stage);
+    }
+    if figure.shows(Layer::Eye) {
+        eye(figure, sheet, stage);
+    }
+    if figure.shows(Layer::Lights) {
+        lights(figure, sheet, stage);
+    }
+}
+
 /// The names of some objects.
 pub(super) fn names_of(
     figure: &Figure,

@@ -17,8 +17,7 @@ use crate::geometry::{Ray, TRange};
 use crate::scene::WindowCrossing;
 use crate::strategy::Strategy;
 use crate::trace::{
-    Connection, Event, Off, Outcome, PixelSample, Purpose, RayEnd, RayStart, Recorder,
-    geometry_term,
+    Connection, Event, Off, Outcome, PixelSample, Purpose, RayStart, Recorder, geometry_term,
 };
 use crate::tracer::backward::eye_ray_start;
 use crate::tracer::balance_heuristic::Paths;
@@ -140,7 +139,7 @@ impl<S: Strategy> Tracer<'_, S> {
             _ => None,
         };
 
-        let visible = self.is_clear(to, from, direction, distance, recorder);
+        let visible = self.sees(to, from, direction, distance, recorder);
         let geometry = geometry_term(from.point, to.point, cosines);
         let mut connection = Connection {
             path: paths.number,
@@ -170,7 +169,7 @@ impl<S: Strategy> Tracer<'_, S> {
     }
 
     /// Does nothing stand between two vertices?
-    fn is_clear<R: Recorder>(
+    fn sees<R: Recorder>(
         &self,
         from: &Vertex,
         to: &Vertex,
@@ -190,17 +189,7 @@ impl<S: Strategy> Tracer<'_, S> {
             window_t: None,
             light: None,
         };
-        recorder.note(|| Event::Ray(start));
-        let hit = self.strategy.any(&start.ray, start.range, recorder);
-        recorder.note(|| {
-            Event::RayEnd(RayEnd {
-                outcome: hit.map_or(Outcome::Connects, |_| Outcome::Blocked),
-                object: hit.map(|hit| hit.object),
-                t: hit.map(|hit| hit.t),
-                ..RayEnd::default()
-            })
-        });
-        hit.is_none()
+        self.is_clear(start, Outcome::Connects, recorder)
     }
 }
 

@@ -6,9 +6,7 @@ use glam::DVec3;
 use crate::geometry::{Ray, TRange};
 use crate::scene::Light;
 use crate::strategy::Strategy;
-use crate::trace::{
-    Event, LightTerm, Outcome, Purpose, RayEnd, RayStart, Recorder, Transport, Visibility,
-};
+use crate::trace::{Event, LightTerm, Outcome, Purpose, RayStart, Recorder, Transport, Visibility};
 use crate::tracer::Tracer;
 use crate::tracer::epsilon::EPSILON;
 use crate::tracer::surface::Surface;
@@ -80,16 +78,6 @@ impl<S: Strategy> Tracer<'_, S> {
             window_t: None,
             light: Some(light),
         };
-        recorder.note(|| Event::Ray(start));
-        let hit = self.strategy.any(&start.ray, start.range, recorder);
-        recorder.note(|| {
-            Event::RayEnd(RayEnd {
-                outcome: hit.map_or(Outcome::ReachesLight, |_| Outcome::Blocked),
-                object: hit.map(|hit| hit.object),
-                t: hit.map(|hit| hit.t),
-                ..RayEnd::default()
-            })
-        });
-        hit.is_some()
+        !self.is_clear(start, Outcome::ReachesLight, recorder)
     }
 }

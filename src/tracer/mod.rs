@@ -81,6 +81,7 @@ mod path_vertex;
 mod picture;
 mod pixel;
 mod surface;
+mod visibility;
 mod walk;
 
 pub use backward::Tracer;

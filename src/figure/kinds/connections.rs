@@ -193,15 +193,7 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
     if figure.shows(Layer::Objects) {
         scenery::objects(figure, sheet, &stage, |_| Look::OBJECT);
     }
-    if figure.shows(Layer::Window) {
-        scenery::window(figure, sheet, &stage);
-    }
-    if figure.shows(Layer::Eye) {
-        scenery::eye(figure, sheet, &stage);
-    }
-    if figure.shows(Layer::Lights) {
-        scenery::lights(figure, sheet, &stage);
-    }
+    scenery::camera_and_lights(figure, sheet, &stage);
     sheet.cut_at(stage.frame);
     if figure.shows(Layer::Connections) {
         for line in &both.lines {

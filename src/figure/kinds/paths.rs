@@ -100,6 +100,21 @@ impl<'a> Shown<'a> {
         legs.filter(|leg| leg.stored.is_some()).count()
     }
 
+    /// Which paths are shown: how many of all there are says nothing about how many reach the eye, since those that do
+    /// are sought out.
+    fn which(&self, figure: &Figure) -> String {
+        let (of, all) = (self.paths.len() as u64, self.all());
+        let first = figure.spec.paths.map_or(0, u64::from);
+        match of.checked_sub(first) {
+            Some(others) if 0 < first && 0 < others => format!(
+                "The first {} of {all} paths of light, and {} sought out that the pixels shown see",
+                grouped(first),
+                grouped(others)
+            ),
+            _ => format!("{} of {all} paths of light", grouped(of)),
+        }
+    }
+
     fn legend(&self, figure: &Figure) -> Vec<(Look, String)> {
         let words = |of: Use| match (of, self.transport) {
             (Use::Seen, Transport::HybridStored) => "leads to one of the nearest photons",
@@ -153,7 +168,7 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
         body
     };
     let body = if figure.shows(Layer::Numbers) {
-        numbers(sheet, body, &shown)
+        numbers(figure, sheet, body, &shown)
     } else {
         body
     };
@@ -191,7 +206,7 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
 }
 
 /// What came of the paths, in lines at the top; gives back the frame that is left.
-fn numbers(sheet: &mut Sheet, body: Frame, shown: &Shown) -> Frame {
+fn numbers(figure: &Figure, sheet: &mut Sheet, body: Frame, shown: &Shown) -> Frame {
     let all = shown.all();
     let of = grouped(shown.paths.len() as u64);
     let first = match shown.transport {
@@ -199,7 +214,7 @@ fn numbers(sheet: &mut Sheet, body: Frame, shown: &Shown) -> Frame {
             "Step 1: {of} of {all} paths of light, and the {} photons that they store",
             grouped(shown.stored() as u64)
         ),
-        _ => format!("{of} of {all} paths of light"),
+        _ => shown.which(figure),
     };
     let mut lines = vec![(None, first)];
     for (_, gatherings) in &shown.pixels {

@@ -75,15 +75,7 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
     if figure.shows(Layer::Names) {
         scenery::names(figure, sheet, &stage);
     }
-    if figure.shows(Layer::Window) {
-        scenery::window(figure, sheet, &stage);
-    }
-    if figure.shows(Layer::Eye) {
-        scenery::eye(figure, sheet, &stage);
-    }
-    if figure.shows(Layer::Lights) {
-        scenery::lights(figure, sheet, &stage);
-    }
+    scenery::camera_and_lights(figure, sheet, &stage);
     let mut sentences = Vec::new();
     let mut named = Vec::new();
     for (section, tree) in &trees {
