@@ -12,6 +12,7 @@ use crate::trace::flat_json::Json;
 use crate::trace::kind::KindPlace;
 use crate::trace::number_texts::NumberTexts;
 use crate::trace::scanner::Scanner;
+use crate::trace::short_text::ShortText;
 use crate::trace::small_numbers::append_whole;
 use crate::trace::{Event, Record};
 
@@ -57,7 +58,22 @@ pub(super) trait Visitor {
 impl Fields for Record {
     #[inline]
     fn fields<V: Visitor>(&mut self, v: &mut V) {
+        self.step_field(v);
+        self.place_fields(v);
+        self.event_fields(v);
+    }
+}
+
+impl Record {
+    /// Which step it is.
+    #[inline]
+    pub(super) fn step_field<V: Visitor>(&mut self, v: &mut V) {
         v.field("step", "", &mut self.step);
+    }
+
+    /// What the step belongs to: the same for all steps along a ray but its start.
+    #[inline]
+    pub(super) fn place_fields<V: Visitor>(&mut self, v: &mut V) {
         match self.event.kind().place() {
             KindPlace::Building => {}
             KindPlace::Pixel => required(&mut self.pixel, "pixel", v),
@@ -74,6 +90,11 @@ impl Fields for Record {
         if let Event::Ray(_) = self.event {
             v.optional("parent", "", &mut self.parent);
         }
+    }
+
+    /// What happened in it.
+    #[inline]
+    pub(super) fn event_fields<V: Visitor>(&mut self, v: &mut V) {
         self.event.fields(v);
         match &mut self.event {
             Event::Pixel(sample) => sample.pixel = self.pixel.unwrap_or_default(),
@@ -311,12 +332,15 @@ pub(super) trait Word: Copy + Default + PartialEq + 'static {
     const WORDS: &'static [(Self, &'static str)];
 
     /// The word of this value between quotation marks.
-    fn quoted(self) -> &'static str;
+    fn quoted(self) -> &'static QuotedWord;
 }
+
+/// A word and its quotation marks, as a line takes them.
+pub(super) type QuotedWord = ShortText<23>;
 
 impl<W: Word> Field for W {
     fn write(&self, _: &mut NumberTexts, line: &mut Vec<u8>) -> bool {
-        line.extend_from_slice(self.quoted().as_bytes());
+        self.quoted().append_to(line);
         true
     }
 

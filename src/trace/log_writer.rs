@@ -6,9 +6,10 @@ use serde::Serialize;
 
 use crate::scene::file::{CameraFile, LightFile, Materials, ObjectFile, ShapeFile, SidesFile};
 use crate::scene::{PrimitiveId, Scene, SceneFile};
-use crate::trace::fields::{Field, Fields, Visitor};
+use crate::trace::fields::{Field, Visitor};
 use crate::trace::number_texts::NumberTexts;
-use crate::trace::{Record, Settings, Sink};
+use crate::trace::short_text::ShortText;
+use crate::trace::{Kind, Record, Settings, Sink};
 
 /// The version of the log that this program writes and reads.
 pub const LOG_VERSION: u32 = 1;
@@ -172,6 +173,7 @@ impl Sink for LineSink<'_> {
 pub(crate) struct EventWriter<'a> {
     names: &'a LogNames,
     texts: NumberTexts,
+    place: PlaceText,
 }
 
 impl<'a> EventWriter<'a> {
@@ -180,28 +182,80 @@ impl<'a> EventWriter<'a> {
         Self {
             names,
             texts: NumberTexts::remembering(),
+            place: PlaceText::default(),
         }
     }
 
     /// Appends a record as a line.
     #[inline]
     pub(crate) fn line(&mut self, record: &Record, lines: &mut Vec<u8>) {
-        object(record, self.names, &mut self.texts, lines);
+        self.object(record, lines);
         lines.push(b'\n');
+    }
+
+    /// Appends a record as a JSON object.
+    fn object(&mut self, record: &Record, line: &mut Vec<u8>) {
+        let mut record = *record;
+        LINE_STARTS[record.event.kind() as usize].append_to(line);
+        let mut writer = LineWriter {
+            names: self.names,
+            texts: &mut self.texts,
+            line,
+        };
+        record.step_field(&mut writer);
+        self.place.append(&mut record, &mut writer);
+        record.event_fields(&mut writer);
+        line.push(b'}');
     }
 }
 
 /// Appends a single record as one JSON object, without a line's end.
 pub(crate) fn write_event(record: &Record, names: &LogNames, line: &mut Vec<u8>) {
-    object(record, names, &mut NumberTexts::default(), line);
+    let mut writer = EventWriter {
+        names,
+        texts: NumberTexts::default(),
+        place: PlaceText::default(),
+    };
+    writer.object(record, line);
 }
 
-fn object(record: &Record, names: &LogNames, texts: &mut NumberTexts, line: &mut Vec<u8>) {
-    line.extend_from_slice(b"{\"kind\":\"");
-    line.extend_from_slice(record.event.kind().name().as_bytes());
-    line.push(b'"');
-    { *record }.fields(&mut LineWriter { names, texts, line });
-    line.push(b'}');
+/// How the lines of each kind begin, by its number.
+static LINE_STARTS: [ShortText<31>; Kind::ALL.len()] = {
+    let mut starts = [ShortText::EMPTY; Kind::ALL.len()];
+    let mut at = 0;
+    while at < starts.len() {
+        let kind = Kind::ALL[at];
+        let start = ShortText::EMPTY.with(b"{\"kind\":\"").expect("room");
+        let start = start.with(kind.name().as_bytes()).expect("room");
+        starts[kind as usize] = start.with(b"\"").expect("room");
+        at += 1;
+    }
+    starts
+};
+
+/// The fields of a line that tell where its event belongs: the next line mostly has the same.
+#[derive(Clone, Debug, Default)]
+struct PlaceText {
+    /// Pixel, path, ray and parent of the line before.
+    of: (Option<[u32; 2]>, Option<u32>, Option<u32>, Option<u32>),
+    text: Vec<u8>,
+}
+
+impl PlaceText {
+    /// Appends the fields of a record's place.
+    #[inline]
+    fn append(&mut self, record: &mut Record, writer: &mut LineWriter<'_>) {
+        let of = (record.pixel, record.path, record.ray, record.parent);
+        if self.of == of {
+            writer.line.extend_from_slice(&self.text);
+            return;
+        }
+        let start = writer.line.len();
+        record.place_fields(writer);
+        self.of = of;
+        self.text.clear();
+        self.text.extend_from_slice(&writer.line[start..]);
+    }
 }
 
 /// Puts each field into the line.
@@ -211,6 +265,9 @@ struct LineWriter<'a> {
     line: &'a mut Vec<u8>,
 }
 
+/// No key is longer.
+const LONGEST_KEY: usize = 28;
+
 #[expect(
     clippy::inline_always,
     reason = "where its key is known, a key is a few stores; elsewhere it is three calls"
@@ -218,9 +275,13 @@ struct LineWriter<'a> {
 impl LineWriter<'_> {
     #[inline(always)]
     fn key(&mut self, key: &'static str) {
-        self.line.extend_from_slice(b",\"");
-        self.line.extend_from_slice(key.as_bytes());
-        self.line.extend_from_slice(b"\":");
+        // put together while compiling, and one copy into the line
+        let mut text = [0; LONGEST_KEY + 4];
+        let end = 2 + key.len();
+        text[..2].copy_from_slice(b",\"");
+        text[2..end].copy_from_slice(key.as_bytes());
+        text[end..end + 2].copy_from_slice(b"\":");
+        self.line.extend_from_slice(&text[..end + 2]);
     }
 }
 

@@ -27,6 +27,7 @@ mod schema;
 mod search;
 mod search_kinds;
 mod settings;
+mod short_text;
 mod small_numbers;
 mod useful_rays;
 mod words;

@@ -4,8 +4,10 @@
 //! line. Half the numbers of a log have been there before: the coefficients of each plane, the
 //! projected ends of each edge, the origin of a ray, the root that is the hit.
 
-/// How many numbers are remembered: a power of two, and with 32 bytes each what a second-level cache
-/// holds beside the lines.
+use crate::trace::short_text::ShortText;
+
+/// How many numbers are remembered: a power of two, and with 32 bytes each half of what a second-level
+/// cache holds. A quarter of them would forget the planes of a thousand polygons from ray to ray.
 const REMEMBERED: usize = 1 << 12;
 
 /// The longest text that is remembered: with the bits and the length it takes 32 bytes.
@@ -17,27 +19,27 @@ const LONGEST: usize = 23;
 #[derive(Clone, Debug, Default)]
 pub(super) struct NumberTexts {
     known: Vec<Known>,
+    /// The bits of the number that was last formed for each place: whoever comes again is remembered. So the
+    /// half that comes once takes no place from the others.
+    formed: Vec<u64>,
 }
 
 /// A number by its bits, and its text.
 #[derive(Clone, Copy, Debug)]
 struct Known {
     bits: u64,
-    text: [u8; LONGEST],
-    length: u8,
+    text: ShortText<LONGEST>,
 }
 
 impl NumberTexts {
     /// Knows none yet and will remember them.
     pub(super) fn remembering() -> Self {
-        let none = Known {
-            // not a number: never asked for
-            bits: f64::NAN.to_bits(),
-            text: [0; LONGEST],
-            length: 0,
-        };
+        // not a number: never asked for
+        let bits = f64::NAN.to_bits();
+        let text = ShortText::EMPTY;
         Self {
-            known: vec![none; REMEMBERED],
+            known: vec![Known { bits, text }; REMEMBERED],
+            formed: vec![bits; REMEMBERED],
         }
     }
 
@@ -55,43 +57,27 @@ impl NumberTexts {
         }
         let bits = value.to_bits();
         match self.known.get(place(bits)) {
-            Some(known) if known.bits == bits => known.append(line),
+            Some(known) if known.bits == bits => known.text.append_to(line),
             _ => self.form(value, line),
         }
     }
 
-    /// Appends a number that is not known, and remembers it in the place of another.
+    /// Appends a number that is not known; the second time it is remembered in the place of another.
     #[inline(never)]
     fn form(&mut self, value: f64, line: &mut Vec<u8>) {
         let mut buffer = zmij::Buffer::new();
         let digits = buffer.format_finite(value).as_bytes();
+        line.extend_from_slice(digits);
         let bits = value.to_bits();
-        let mut text = [0; LONGEST];
-        let Some(start) = text.get_mut(..digits.len()) else {
-            // a sign and all digits with an exponent below -99: too rare to be remembered
-            line.extend_from_slice(digits);
+        let place = place(bits);
+        let Some(formed) = self.formed.get_mut(place) else {
             return;
         };
-        start.copy_from_slice(digits);
-        let known = Known {
-            bits,
-            text,
-            length: digits.len() as u8,
-        };
-        known.append(line);
-        if let Some(place) = self.known.get_mut(place(bits)) {
-            *place = known;
+        if *formed != bits {
+            *formed = bits;
+        } else if let Some(text) = ShortText::EMPTY.with(digits) {
+            self.known[place] = Known { bits, text };
         }
-    }
-}
-
-impl Known {
-    /// Appends the text: a copy of a fixed length is a few instructions, of any other a call.
-    #[inline]
-    fn append(&self, line: &mut Vec<u8>) {
-        let end = line.len() + usize::from(self.length);
-        line.extend_from_slice(&self.text);
-        line.truncate(end);
     }
 }
 

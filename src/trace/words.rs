@@ -2,12 +2,19 @@
 
 use crate::geometry::{Axis, DecidedBy, Fate};
 use crate::structure::{Across, Share, SlabOutcome, VolumeKind};
-use crate::trace::fields::Word;
+use crate::trace::fields::{QuotedWord, Word};
 use crate::trace::kinds::{Parallel, RootCount, ToPlane};
 use crate::trace::{
     AlignedPart, BoundOutcome, NodeOutcome, Outcome, PhotonFate, Purpose, QueueAction, Visibility,
     WalkEnd,
 };
+
+/// A word between its quotation marks.
+const fn quoted(word: &str) -> QuotedWord {
+    QuotedWord::EMPTY
+        .with(word.as_bytes())
+        .expect("longer than any word")
+}
 
 /// Gives each value of an enum its word.
 macro_rules! words {
@@ -16,9 +23,9 @@ macro_rules! words {
             const WORDS: &'static [(Self, &'static str)] = &[$(($type::$value, $word)),+];
 
             #[inline]
-            fn quoted(self) -> &'static str {
+            fn quoted(self) -> &'static QuotedWord {
                 match self {
-                    $($type::$value => concat!("\"", $word, "\"")),+
+                    $($type::$value => const { &quoted(concat!("\"", $word, "\"")) }),+
                 }
             }
         }
