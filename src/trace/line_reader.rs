@@ -44,6 +44,7 @@ impl Damage {
 }
 
 /// The record that a line holds.
+#[inline]
 pub(super) fn parse_event(line: &[u8], names: &NameTable) -> Result<Record, Damage> {
     match scan_event(line, names) {
         Some(record) => Ok(record),
@@ -81,6 +82,7 @@ pub(super) fn read_event(line: &[u8], names: &NameTable) -> Result<Record, Damag
 }
 
 /// A record of this kind with nothing in it.
+#[inline]
 pub(super) fn blank(kind: Kind) -> Record {
     Record {
         pixel: None,

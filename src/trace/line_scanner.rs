@@ -11,6 +11,7 @@ use crate::trace::scanner::Scanner;
 use crate::trace::{Kind, Record};
 
 /// The record that a line holds, if each of its bytes is where the writer puts it.
+#[inline]
 pub(super) fn scan_event(line: &[u8], names: &NameTable) -> Option<Record> {
     let mut scanner = Scanner::new(std::str::from_utf8(line).ok()?);
     if !scanner.take("{\"kind\":") {
@@ -23,8 +24,10 @@ pub(super) fn scan_event(line: &[u8], names: &NameTable) -> Option<Record> {
         failed: false,
     };
     record.fields(&mut scan);
-    let whole = scan.scanner.take("}") && scan.scanner.is_at_end();
-    (whole && !scan.failed).then_some(record)
+    if scan.failed || !scan.scanner.take("}") || !scan.scanner.is_at_end() {
+        return None;
+    }
+    Some(record)
 }
 
 /// Takes field after field; once one is not as expected, nothing more counts.

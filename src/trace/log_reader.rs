@@ -6,6 +6,7 @@ use crate::scene::file::ObjectFile;
 use crate::scene::{Scene, SceneFile};
 use crate::trace::limits::Limits;
 use crate::trace::line_reader::{Damage, parse_event};
+use crate::trace::log_lines::LogLines;
 use crate::trace::log_writer::{Header, LOG_VERSION, ObjectLine};
 use crate::trace::name_table::NameTable;
 use crate::trace::path_sieve::keep_paths_behind;
@@ -15,13 +16,7 @@ use crate::trace::{Event, LogError, PathSieve, Record, Region, Settings, Sink};
 /// A log that is being read.
 #[derive(Debug)]
 pub struct LogReader<R> {
-    file: String,
-    input: R,
-    /// The line that was read last, and its number from 1.
-    line: Vec<u8>,
-    number: usize,
-    /// The first line after the head, read to find where the head ends.
-    pending: bool,
+    lines: LogLines<R>,
     names: NameTable,
     scene: Scene,
     settings: Settings,
@@ -37,14 +32,9 @@ impl<R: BufRead> LogReader<R> {
     /// # Errors
     /// A file that cannot be read, is no log, or whose head is damaged.
     pub fn open(file: &str, input: R) -> Result<Self, LogError> {
-        let mut lines = Lines {
-            file: file.into(),
-            input,
-            line: Vec::new(),
-            number: 0,
-        };
+        let mut lines = LogLines::new(file, input);
         let header = read_header(&mut lines)?;
-        let (objects, pending) = read_objects(&mut lines)?;
+        let objects = read_objects(&mut lines)?;
         let settings = header.settings;
         let scene = Scene::new(SceneFile {
             name: header.name,
@@ -66,18 +56,8 @@ impl<R: BufRead> LogReader<R> {
         } else {
             scene
         };
-        let Lines {
-            file,
-            input,
-            line,
-            number,
-        } = lines;
         Ok(Self {
-            file,
-            input,
-            line,
-            number,
-            pending,
+            lines,
             names: NameTable::new(&scene),
             limits: Limits::new(&scene, &settings),
             scene,
@@ -101,23 +81,20 @@ impl<R: BufRead> LogReader<R> {
     /// # Errors
     /// A damaged line, with its number and what is wrong in it.
     pub fn next_record(&mut self) -> Result<Option<Record>, LogError> {
-        if !std::mem::take(&mut self.pending)
-            && !next_line(
-                &self.file,
-                &mut self.input,
-                &mut self.line,
-                &mut self.number,
-            )?
-        {
+        let Some(line) = self.lines.next()? else {
             return Ok(None);
+        };
+        let record = parse_event(line, &self.names).and_then(|record| {
+            self.limits.check(&record)?;
+            if let Some(numbering) = &mut self.numbering {
+                out_of_place(&record, &numbering.place(&record.event))?;
+            }
+            Ok(record)
+        });
+        match record {
+            Ok(record) => Ok(Some(record)),
+            Err(damage) => Err(self.lines.damaged(damage)),
         }
-        let damaged = |damage: Damage| damage.at(&self.file, self.number);
-        let record = parse_event(&self.line, &self.names).map_err(damaged)?;
-        self.limits.check(&record).map_err(damaged)?;
-        if let Some(numbering) = &mut self.numbering {
-            out_of_place(&record, &numbering.place(&record.event)).map_err(damaged)?;
-        }
-        Ok(Some(record))
     }
 
     /// The scene, the settings, and all records that led to one pixel: how the structure was built, the paths of
@@ -154,48 +131,6 @@ impl<R: BufRead> Iterator for LogReader<R> {
     }
 }
 
-struct Lines<R> {
-    file: String,
-    input: R,
-    line: Vec<u8>,
-    number: usize,
-}
-
-impl<R: BufRead> Lines<R> {
-    fn next(&mut self) -> Result<bool, LogError> {
-        next_line(
-            &self.file,
-            &mut self.input,
-            &mut self.line,
-            &mut self.number,
-        )
-    }
-}
-
-/// Reads one line into the buffer; `false` at the end. A last line without its end was cut off.
-fn next_line(
-    file: &str,
-    input: &mut impl BufRead,
-    line: &mut Vec<u8>,
-    number: &mut usize,
-) -> Result<bool, LogError> {
-    line.clear();
-    *number += 1;
-    let read = input.read_until(b'\n', line);
-    read.map_err(|source| LogError::Read {
-        file: file.into(),
-        source,
-    })?;
-    if line.is_empty() {
-        return Ok(false);
-    }
-    if line.pop() != Some(b'\n') {
-        let what = "the line has no end: the log was cut off here".into();
-        return Err(Damage { column: None, what }.at(file, *number));
-    }
-    Ok(true)
-}
-
 /// What the head's lines are told by, wherever it stands in the line.
 #[derive(serde::Deserialize)]
 struct LineStart {
@@ -214,42 +149,40 @@ pub fn begins_log(first_line: &[u8]) -> bool {
     LineStart::of(first_line).is_some_and(|start| start.kind == "trace")
 }
 
-fn read_header(lines: &mut Lines<impl BufRead>) -> Result<Header, LogError> {
-    let no_log = |file: &str| LogError::NoLog { file: file.into() };
-    if !lines.next()? {
-        return Err(no_log(&lines.file));
-    }
+fn read_header(lines: &mut LogLines<impl BufRead>) -> Result<Header, LogError> {
+    let file = lines.file().to_owned();
+    let Some(line) = lines.next()? else {
+        return Err(LogError::NoLog { file });
+    };
     // version first: the rest of a later version may look different
-    match LineStart::of(&lines.line) {
+    match LineStart::of(line) {
         Some(LineStart { kind, version }) if kind == "trace" => {
             let found = version.unwrap_or_default();
             if found != LOG_VERSION {
-                return Err(LogError::Version {
-                    file: lines.file.clone(),
-                    found,
-                });
+                return Err(LogError::Version { file, found });
             }
         }
-        _ => return Err(no_log(&lines.file)),
+        _ => return Err(LogError::NoLog { file }),
     }
-    serde_json::from_slice(&lines.line)
-        .map_err(|error| Damage::json(&error).at(&lines.file, lines.number))
+    let header = serde_json::from_slice(line);
+    header.map_err(|error| lines.damaged(Damage::json(&error)))
 }
 
-/// The object lines, and whether a line that is none was read after them.
-fn read_objects(lines: &mut Lines<impl BufRead>) -> Result<(Vec<ObjectFile>, bool), LogError> {
+/// The objects' lines, up to the first line that is none.
+fn read_objects(lines: &mut LogLines<impl BufRead>) -> Result<Vec<ObjectFile>, LogError> {
     let mut objects = Vec::new();
-    while lines.next()? {
-        let is_object = match LineStart::of(&lines.line) {
+    while let Some(line) = lines.next()? {
+        let is_object = match LineStart::of(line) {
             Some(start) => start.kind == "object",
             // a damaged line is told by how it begins, so that its damage is told below
-            None => lines.line.starts_with(b"{\"kind\":\"object\""),
+            None => line.starts_with(b"{\"kind\":\"object\""),
         };
         if !is_object {
-            return Ok((objects, true));
+            lines.put_back();
+            break;
         }
-        let line: ObjectLine = serde_json::from_slice(&lines.line)
-            .map_err(|error| Damage::json(&error).at(&lines.file, lines.number))?;
+        let line: Result<ObjectLine, _> = serde_json::from_slice(line);
+        let line = line.map_err(|error| lines.damaged(Damage::json(&error)))?;
         objects.push(ObjectFile {
             name: line.name,
             material: line.material,
@@ -257,7 +190,7 @@ fn read_objects(lines: &mut Lines<impl BufRead>) -> Result<(Vec<ObjectFile>, boo
             sides: line.sides,
         });
     }
-    Ok((objects, false))
+    Ok(objects)
 }
 
 /// A whole log has every event in its place; a line that was lost, moved or changed shows by its numbers.

@@ -15,6 +15,7 @@ mod limits;
 mod line_reader;
 mod line_scanner;
 mod log_error;
+mod log_lines;
 mod log_reader;
 mod log_writer;
 mod name_table;
