@@ -15,6 +15,9 @@ use crate::cli::Error;
 /// What the shell expects of a program that was interrupted: 128 + the number of SIGINT.
 const INTERRUPTED: i32 = 130;
 
+/// How many bytes are written at once: with less, calls of the system add up.
+const AT_ONCE: usize = 1 << 18;
+
 /// The temporary file that is to be removed when the program is interrupted.
 static UNFINISHED: Mutex<Option<PathBuf>> = Mutex::new(None);
 
@@ -47,7 +50,7 @@ impl Output {
     pub(crate) fn standard() -> Self {
         Self {
             file: "standard output".into(),
-            to: To::Standard(BufWriter::new(io::stdout())),
+            to: To::Standard(BufWriter::with_capacity(AT_ONCE, io::stdout())),
         }
     }
 
@@ -72,7 +75,10 @@ impl Output {
             }
             Ok(meta) if !meta.is_file() || path.starts_with("/dev/fd") => {
                 let opened = OpenOptions::new().append(true).open(path);
-                let to = To::Direct(BufWriter::new(opened.map_err(unwritable)?));
+                let to = To::Direct(BufWriter::with_capacity(
+                    AT_ONCE,
+                    opened.map_err(unwritable)?,
+                ));
                 return Ok(Self { file, to });
             }
             Ok(_) => {
@@ -109,7 +115,7 @@ impl Output {
         Ok(Self {
             file,
             to: To::Replacing {
-                out: BufWriter::new(out),
+                out: BufWriter::with_capacity(AT_ONCE, out),
                 temporary,
                 target,
             },

@@ -1,6 +1,7 @@
 //! `raystep trace`: the log of a picture or a part of it; a log is filtered again.
 
 use std::io::Write;
+use std::ops::AddAssign;
 use std::time::Instant;
 
 use raystep::{
@@ -88,18 +89,17 @@ fn trace_with<S: Strategy>(
     let counts = write::<_, Counts>(&tracer, ready, args, &options, &mut out)?;
     times.tracing = started.elapsed();
     out.finish()?;
-    let counts = stats::sum(&counts);
     stats::tell(format, &ready.scene, &ready.settings, &counts, times)
 }
 
 /// Writes the log, and gives back what else heard of the trace.
-fn write<S: Strategy, R: Recorder + Default + Send>(
+fn write<S: Strategy, R: Recorder + Default + AddAssign + Send>(
     tracer: &Tracer<'_, S>,
     ready: &Ready,
     args: &TraceArgs,
     options: &LogOptions,
     out: &mut Output,
-) -> Result<Vec<R>, Error> {
+) -> Result<R, Error> {
     let bar = bar(u64::from(options.region.to[1] - options.region.from[1]) + 1);
     let done = |lines: usize| bar.set_position(lines as u64);
     let written = on_threads(args.threads, || {

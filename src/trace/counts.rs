@@ -1,5 +1,7 @@
 //! Counts: how many rays of each purpose, how many tests of each kind, and how many of them hit.
 
+use std::ops::AddAssign;
+
 use glam::DVec3;
 
 use crate::trace::{
@@ -390,6 +392,12 @@ impl Counts {
 
 /// The place of `plane_test` in [`Counts::TESTS`].
 const PLANE: usize = 4;
+
+impl AddAssign for Counts {
+    fn add_assign(&mut self, other: Self) {
+        self.add(&other);
+    }
+}
 
 impl Recorder for Counts {
     const ENABLED: bool = true;

@@ -3,6 +3,8 @@
 //! The algorithms mention recording in one line after a step: `recorder.note(|| event)`. With [`Off`]
 //! the compiler removes the line and all that only it needs; there is no flag to test at run time.
 
+use std::ops::AddAssign;
+
 use crate::trace::Event;
 
 /// Hears of every step. A recorder never changes a result.
@@ -17,6 +19,11 @@ pub trait Recorder {
 /// Nobody listens.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Off;
+
+/// Of two who heard nothing: nothing.
+impl AddAssign for Off {
+    fn add_assign(&mut self, _: Self) {}
+}
 
 impl Recorder for Off {
     const ENABLED: bool = false;

@@ -1,32 +1,63 @@
 //! Tiles over threads, one output: the bytes come out in the order of the tiles whatever the threads
 //! do, and memory stays small.
 //!
-//! Tiles are handed out in order, so the lowest unfinished one is always being worked on: it writes
-//! through. Later ones keep up to [`KEPT`] bytes and then wait for their turn.
+//! Tiles are handed out in order, and each hands its lines over in pieces. Whoever hands one over while
+//! nobody writes is the writer until no piece is left whose turn it is; the others go on tracing. Pieces
+//! whose turn it is not are kept, up to [`KEPT`] of them: then whoever hands over one more waits.
 
+use std::collections::{BTreeMap, VecDeque};
 use std::io::{self, Write};
+use std::mem;
+use std::ops::AddAssign;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Condvar, Mutex, MutexGuard, PoisonError};
 
-/// How much a tile keeps before it waits: some thousand lines of a log.
-const KEPT: usize = 1 << 20;
+/// How many bytes a tile hands over at once: a thousand lines of a log, which a second-level cache holds.
+const PIECE: usize = 1 << 18;
 
-/// More than most lines take: the one that fills a buffer finds room in it.
+/// More than most lines take: the one that fills a piece finds room in it.
 const LONG_LINE: usize = 1 << 12;
 
-/// An output that tiles share.
-pub(super) struct InOrder<W> {
-    state: Mutex<State<W>>,
+/// How many pieces are kept: 16 MB.
+const KEPT: usize = 64;
+
+/// An output that tiles share, and the sum of what they leave behind.
+pub(super) struct InOrder<W, S> {
+    state: Mutex<State<W, S>>,
     turn: Condvar,
 }
 
-struct State<W> {
-    out: W,
-    /// The lowest tile that is not finished.
+struct State<W, S> {
+    /// Gone while somebody writes.
+    out: Option<W>,
+    /// The lowest tile that is not written to its end.
     next: usize,
+    /// What tiles have handed over.
+    waiting: BTreeMap<usize, Waiting<S>>,
+    /// How many pieces wait or are being written.
+    kept: usize,
+    /// Empty buffers: fresh memory for every piece would cost as much as its lines.
+    spare: Vec<Vec<u8>>,
     /// Lines that may still be written.
     budget: u64,
+    sum: S,
     stopped: Option<Stopped>,
+}
+
+/// What a tile has handed over, and at its end what it leaves behind.
+struct Waiting<S> {
+    pieces: VecDeque<Piece>,
+    left: Option<S>,
+}
+
+fn new_buffer() -> Vec<u8> {
+    Vec::with_capacity(PIECE + LONG_LINE)
+}
+
+/// Some lines, and how many.
+struct Piece {
+    lines: Vec<u8>,
+    count: u64,
 }
 
 /// Why no more is written.
@@ -39,73 +70,183 @@ pub(super) enum Stopped {
 }
 
 /// What one tile has to say.
-pub(super) struct Tile<'a, W> {
+pub(super) struct Tile<'a, W: Write, S: Default + AddAssign> {
     number: usize,
-    shared: &'a InOrder<W>,
-    /// Lines that were not written yet, and how many.
+    shared: &'a InOrder<W, S>,
+    /// Lines that are not handed over yet, and how many.
     lines: &'a mut Vec<u8>,
     count: u64,
+    finished: bool,
     stopped: bool,
 }
 
-impl<W: Write + Send> InOrder<W> {
+impl<W: Write + Send, S: Default + AddAssign + Send> InOrder<W, S> {
     /// An output that takes up to a number of lines.
     pub(super) fn new(out: W, budget: u64) -> Self {
         Self {
             state: Mutex::new(State {
-                out,
+                out: Some(out),
                 next: 0,
+                waiting: BTreeMap::new(),
+                kept: 0,
+                spare: Vec::new(),
                 budget,
+                sum: S::default(),
                 stopped: None,
             }),
             turn: Condvar::new(),
         }
     }
 
-    /// Works through all tiles on the threads of the current pool. The work stops early once the
-    /// output has.
-    pub(super) fn run(&self, tiles: usize, work: impl Fn(Tile<'_, W>) + Sync) -> Option<Stopped> {
+    /// Works through all tiles on the threads of the current pool, each with tools of its own, and sums up in
+    /// their order what they leave behind. The work stops early once the output has.
+    pub(super) fn run<T>(
+        self,
+        tiles: usize,
+        tools: impl Fn() -> T + Sync,
+        work: impl Fn(Tile<'_, W, S>, &mut T) + Sync,
+    ) -> Result<S, Stopped> {
         let handed_out = AtomicUsize::new(0);
         let threads = rayon::current_num_threads();
         rayon::scope(|scope| {
             for _ in 0..threads {
                 scope.spawn(|_| {
-                    // one buffer a thread: fresh memory for every tile would cost as much as its lines
-                    let mut lines = Vec::with_capacity(KEPT + LONG_LINE);
+                    let mut tools = tools();
+                    let mut lines = new_buffer();
                     loop {
                         let number = handed_out.fetch_add(1, Ordering::Relaxed);
                         if tiles <= number || self.lock().stopped.is_some() {
                             return;
                         }
-                        work(Tile {
+                        let tile = Tile {
                             number,
-                            shared: self,
+                            shared: &self,
                             lines: &mut lines,
                             count: 0,
+                            finished: false,
                             stopped: false,
-                        });
+                        };
+                        work(tile, &mut tools);
                     }
                 });
             }
         });
-        self.lock().stopped.take()
+        let state = self.state.into_inner();
+        let state = state.unwrap_or_else(PoisonError::into_inner);
+        state.stopped.map_or(Ok(state.sum), Err)
     }
 }
 
-impl<W> InOrder<W> {
+impl<W, S> InOrder<W, S> {
     /// The state; a thread that panicked while holding it left it whole.
-    fn lock(&self) -> MutexGuard<'_, State<W>> {
+    fn lock(&self) -> MutexGuard<'_, State<W, S>> {
         self.state.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }
 
-impl<W: Write + Send> Tile<'_, W> {
+impl<W: Write, S: Default + AddAssign> InOrder<W, S> {
+    /// Takes a tile's lines and gives it an empty buffer for them; at its end also takes what it leaves behind.
+    /// `false` once the output has stopped.
+    fn take(&self, tile: usize, lines: &mut Vec<u8>, count: u64, left: Option<S>) -> bool {
+        let must_wait = |state: &mut State<W, S>| {
+            // the lowest tile writes itself if nobody else does: somebody always goes on
+            let is_writer = state.next == tile && state.out.is_some();
+            state.is_full() && !is_writer && state.stopped.is_none()
+        };
+        let state = self.turn.wait_while(self.lock(), must_wait);
+        let mut state = state.unwrap_or_else(PoisonError::into_inner);
+        if state.stopped.is_some() {
+            return false;
+        }
+        let all = &mut *state;
+        let waiting = all.waiting.entry(tile).or_insert_with(|| Waiting {
+            pieces: VecDeque::new(),
+            left: None,
+        });
+        waiting.left = left;
+        if 0 < count {
+            let empty = all.spare.pop().unwrap_or_else(new_buffer);
+            let lines = mem::replace(lines, empty);
+            waiting.pieces.push_back(Piece { lines, count });
+            all.kept += 1;
+        }
+        self.write_ready(state);
+        true
+    }
+
+    /// Writes all pieces whose turn it is, unless somebody else does.
+    fn write_ready<'a>(&'a self, mut state: MutexGuard<'a, State<W, S>>) {
+        let Some(mut out) = state.out.take() else {
+            return;
+        };
+        while let Some(mut piece) = state.next_piece() {
+            drop(state);
+            let written = out.write_all(&piece.lines);
+            piece.lines.clear();
+            state = self.lock();
+            if let Err(error) = written {
+                state.stop(Stopped::Output(error));
+            }
+            self.wake(&state);
+            state.kept -= 1;
+            state.spare.push(piece.lines);
+        }
+        state.out = Some(out);
+        self.wake(&state);
+    }
+
+    /// Wakes those who wait, if anybody does.
+    fn wake(&self, state: &State<W, S>) {
+        if state.is_full() || state.stopped.is_some() {
+            self.turn.notify_all();
+        }
+    }
+}
+
+impl<W, S: AddAssign> State<W, S> {
+    /// The next piece in the order, if it is there and the budget has room for it.
+    fn next_piece(&mut self) -> Option<Piece> {
+        if self.stopped.is_some() {
+            return None;
+        }
+        let piece = loop {
+            let lowest = self.waiting.get_mut(&self.next)?;
+            if let Some(piece) = lowest.pieces.pop_front() {
+                break piece;
+            }
+            self.sum += lowest.left.take()?;
+            self.waiting.remove(&self.next);
+            self.next += 1;
+        };
+        match self.budget.checked_sub(piece.count) {
+            Some(left) => self.budget = left,
+            None => {
+                self.stop(Stopped::Budget);
+                return None;
+            }
+        }
+        Some(piece)
+    }
+}
+
+impl<W, S> State<W, S> {
+    fn is_full(&self) -> bool {
+        KEPT <= self.kept
+    }
+
+    fn stop(&mut self, why: Stopped) {
+        self.stopped = Some(why);
+        self.waiting.clear();
+    }
+}
+
+impl<W: Write, S: Default + AddAssign> Tile<'_, W, S> {
     /// The tile's place in the order.
     pub(super) fn number(&self) -> usize {
         self.number
     }
 
-    /// Adds a line, which is kept until it is worth writing.
+    /// Adds a line, which is kept until it is worth handing over.
     #[inline]
     pub(super) fn line(&mut self, append: impl FnOnce(&mut Vec<u8>)) {
         if self.stopped {
@@ -113,8 +254,8 @@ impl<W: Write + Send> Tile<'_, W> {
         }
         append(self.lines);
         self.count += 1;
-        if KEPT <= self.lines.len() {
-            self.write();
+        if PIECE <= self.lines.len() {
+            self.hand_over(None);
         }
     }
 
@@ -123,37 +264,25 @@ impl<W: Write + Send> Tile<'_, W> {
         self.stopped
     }
 
-    /// Writes the last lines, and lets the next tile have its turn.
-    pub(super) fn finish(mut self) {
-        self.write();
+    /// Hands over the last lines and what the tile leaves behind.
+    pub(super) fn finish(mut self, left: S) {
+        self.hand_over(Some(left));
+        self.finished = true;
     }
 
-    /// Waits for the tile's turn and writes.
-    fn write(&mut self) {
-        let waits = |state: &mut State<W>| state.next < self.number;
-        let state = self.shared.lock();
-        let state = self.shared.turn.wait_while(state, waits);
-        let mut state = state.unwrap_or_else(PoisonError::into_inner);
-        if state.stopped.is_none() {
-            if state.budget < self.count {
-                state.stopped = Some(Stopped::Budget);
-            } else {
-                state.budget -= self.count;
-                state.stopped = state.out.write_all(self.lines).err().map(Stopped::Output);
-            }
-        }
-        self.stopped = state.stopped.is_some();
+    fn hand_over(&mut self, left: Option<S>) {
+        let count = mem::take(&mut self.count);
+        self.stopped = !self.shared.take(self.number, self.lines, count, left);
         self.lines.clear();
-        self.count = 0;
     }
 }
 
 /// Whatever ends a tile, the next one gets its turn: none waits for one that is gone.
-impl<W> Drop for Tile<'_, W> {
+impl<W: Write, S: Default + AddAssign> Drop for Tile<'_, W, S> {
     fn drop(&mut self) {
-        self.lines.clear();
-        self.shared.lock().next += 1;
-        self.shared.turn.notify_all();
+        if !self.finished {
+            self.hand_over(Some(S::default()));
+        }
     }
 }
 
@@ -161,40 +290,110 @@ impl<W> Drop for Tile<'_, W> {
 mod tests {
     use super::*;
 
-    /// 40 tiles of which the first take longest, each with more than one buffer full.
-    fn run(threads: usize, budget: u64) -> (Vec<u8>, Option<Stopped>) {
-        let mut out = Vec::new();
-        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads);
-        let stopped = {
-            let shared = InOrder::new(&mut out, budget);
-            pool.build().unwrap().install(|| {
-                shared.run(40, |mut tile| {
-                    let number = tile.number;
-                    for _ in 0..(40 - number) {
-                        tile.line(|lines| lines.resize(lines.len() + KEPT / 8, number as u8));
-                    }
-                    tile.finish();
-                })
-            })
-        };
-        (out, stopped)
+    /// A sum that tells the order in which it was made.
+    #[derive(Default)]
+    struct Order(Vec<usize>);
+
+    impl AddAssign for Order {
+        fn add_assign(&mut self, other: Self) {
+            self.0.extend(other.0);
+        }
     }
+
+    /// 40 tiles of which the first take longest, with up to 10 pieces each.
+    fn run(threads: usize, out: impl Write + Send, budget: u64) -> Result<Vec<usize>, Stopped> {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads);
+        let work = |mut tile: Tile<'_, _, Order>, (): &mut ()| {
+            let number = tile.number();
+            for _ in number..40 {
+                tile.line(|lines| lines.resize(lines.len() + PIECE / 4, number as u8));
+            }
+            tile.finish(Order(vec![number]));
+        };
+        let shared = InOrder::new(out, budget);
+        let run = || shared.run(40, || (), work);
+        pool.build().unwrap().install(run).map(|order| order.0)
+    }
+
+    const LINES: usize = 40 * 41 / 2;
 
     #[test]
     fn the_tiles_come_out_in_order_on_any_number_of_threads() {
-        let (one, stopped) = run(1, u64::MAX);
-        assert!(stopped.is_none());
-        assert!(one.is_sorted());
-        assert_eq!(one.len(), (1..=40).sum::<usize>() * KEPT / 8);
-        for threads in [2, 3, 8] {
-            assert!(run(threads, u64::MAX).0 == one, "{threads} threads");
+        let bytes = |number: usize| vec![number as u8; (40 - number) * PIECE / 4];
+        let expected: Vec<u8> = (0..40).flat_map(bytes).collect();
+        for threads in [1, 2, 3, 8] {
+            let mut out = Vec::new();
+            let order = run(threads, &mut out, u64::MAX).unwrap();
+            assert!(out == expected, "{threads} threads");
+            assert!(order.into_iter().eq(0..40), "{threads} threads");
         }
     }
 
     #[test]
     fn a_spent_budget_stops_all_tiles() {
-        assert!(matches!(run(2, 100).1, Some(Stopped::Budget)));
-        assert!(run(2, 820).1.is_none());
-        assert!(matches!(run(2, 819).1, Some(Stopped::Budget)));
+        for threads in [1, 2, 8] {
+            let run = |budget| run(threads, io::sink(), budget as u64);
+            assert!(matches!(run(100), Err(Stopped::Budget)));
+            assert!(run(LINES).is_ok());
+            assert!(matches!(run(LINES - 1), Err(Stopped::Budget)));
+        }
+    }
+
+    /// Takes some bytes and no more.
+    struct Full(usize);
+
+    impl Write for Full {
+        fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+            match self.0.checked_sub(bytes.len()) {
+                Some(left) => self.0 = left,
+                None => return Err(io::ErrorKind::StorageFull.into()),
+            }
+            Ok(bytes.len())
+        }
+
+        fn flush(&mut self) -> io::Result<()> {
+            Ok(())
+        }
+    }
+
+    #[test]
+    fn an_output_that_fails_stops_all_tiles() {
+        for threads in [1, 2, 8] {
+            let stopped = run(threads, Full(LINES * PIECE / 8), u64::MAX);
+            match stopped {
+                Err(Stopped::Output(error)) => {
+                    assert_eq!(error.kind(), io::ErrorKind::StorageFull);
+                }
+                _ => panic!("it must stop, on {threads} threads"),
+            }
+        }
+    }
+
+    /// The lowest tile waits until another one has handed over more than is kept.
+    #[test]
+    fn what_waits_for_the_lowest_tile_is_bounded() {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(2).build();
+        let made = AtomicUsize::new(0);
+        let shared: InOrder<_, Order> = InOrder::new(io::sink(), u64::MAX);
+        let work = |mut tile: Tile<'_, _, Order>, (): &mut ()| {
+            if tile.number() == 0 {
+                while made.load(Ordering::SeqCst) < KEPT {
+                    std::thread::yield_now();
+                }
+                // the other one has no more room, however long it has
+                std::thread::sleep(std::time::Duration::from_millis(50));
+                assert_eq!(made.load(Ordering::SeqCst), KEPT);
+            } else {
+                for _ in 0..3 * KEPT {
+                    tile.line(|lines| lines.resize(PIECE, 0));
+                    made.fetch_add(1, Ordering::SeqCst);
+                }
+            }
+            tile.finish(Order::default());
+        };
+        pool.unwrap()
+            .install(|| shared.run(2, || (), work))
+            .unwrap();
+        assert_eq!(made.load(Ordering::SeqCst), 3 * KEPT);
     }
 }

@@ -1,9 +1,8 @@
 //! The log of a picture or a part of it, streamed while it is traced.
 
-use std::collections::BTreeMap;
 use std::io::{self, Write};
+use std::ops::AddAssign;
 use std::sync::atomic::{AtomicUsize, Ordering};
-use std::sync::{Mutex, PoisonError};
 
 use crate::strategy::Strategy;
 use crate::trace::{
@@ -69,23 +68,22 @@ pub enum LogStopped {
 /// Writes the log of a region: the head, how the structure was built if that is wanted, the paths of light,
 /// then every pixel's events, scan line by scan line.
 ///
-/// Pieces of the paths and the scan lines are traced on the threads of the current pool and written in order: the same bytes
-/// on any number of threads, in memory that does not grow with the picture. `done` hears how many
-/// scan lines are finished. A pixel's eye rays are its own here, also through the corners, so that each
-/// pixel of the log stands alone.
+/// Pieces of the paths and the pixels are traced on the threads of the current pool and written in order: the same
+/// bytes on any number of threads, in memory that does not grow with the picture. `done` hears how many
+/// scan lines' worth of pixels is finished. A pixel's eye rays are its own here, also through the corners, so that
+/// each pixel of the log stands alone.
 ///
-/// What else shall hear of the trace (`Counts`, or `Off`) is given back, one for each piece of the
-/// paths and for each scan line, in order.
+/// What else shall hear of the trace (`Counts`, or `Off`) is given back, summed up in the same order.
 ///
 /// # Errors
 /// A failing output, or more events than the budget.
-pub fn write_log<S: Strategy, R: Recorder + Default + Send>(
+pub fn write_log<S: Strategy, R: Recorder + Default + AddAssign + Send>(
     tracer: &Tracer<'_, S>,
     settings: &Settings,
     options: &LogOptions,
     mut out: impl Write + Send,
     done: impl Fn(usize) + Sync,
-) -> Result<Vec<R>, LogStopped> {
+) -> Result<R, LogStopped> {
     write_log_head(tracer.scene, settings, &mut out).map_err(LogStopped::Output)?;
     let names = LogNames::new(tracer.scene);
     let mut budget = options.budget;
@@ -105,22 +103,18 @@ pub fn write_log<S: Strategy, R: Recorder + Default + Send>(
         building.into_sink().sink.finish()?;
     }
     let ([left, top], [right, bottom]) = (options.region.from, options.region.to);
+    let width = (right - left + 1) as usize;
+    let pixels = width * (bottom - top + 1) as usize;
     let finished = AtomicUsize::new(0);
 
-    let shared = InOrder::new(&mut out, budget);
-    let rows = (bottom - top + 1) as usize;
     // paths of light come before the pixels
     let pieces = options.paths.len().div_ceil(PATHS as usize);
-    let heard = Mutex::new(BTreeMap::new());
-    let stopped = shared.run(pieces + rows, |tile| {
+    let trace = |tile: Tile<'_, _, R>, writer: &mut EventWriter<'_>| {
         let number = tile.number();
         let recording = Recording::new(Filter {
             kinds: options.kinds,
             region: None,
-            sink: TileSink {
-                writer: EventWriter::new(&names),
-                tile,
-            },
+            sink: TileSink { writer, tile },
         });
         let mut both = (recording, R::default());
         match number.checked_sub(pieces) {
@@ -134,32 +128,26 @@ pub fn write_log<S: Strategy, R: Recorder + Default + Send>(
                     }
                 }
             }
-            Some(row) => {
-                let y = top + row as u32;
-                for x in left..=right {
-                    trace_pixel(tracer, [x, y], settings.through, &mut both);
-                    if both.0.sink().sink.tile.is_stopped() {
-                        break;
-                    }
+            Some(pixel) => {
+                let pixel = [left + (pixel % width) as u32, top + (pixel / width) as u32];
+                trace_pixel(tracer, pixel, settings.through, &mut both);
+                let finished = finished.fetch_add(1, Ordering::Relaxed) + 1;
+                if finished.is_multiple_of(width) {
+                    done(finished / width);
                 }
-                done(finished.fetch_add(1, Ordering::Relaxed) + 1);
             }
         }
-        let (recording, other) = both;
-        recording.into_sink().sink.tile.finish();
-        heard
-            .lock()
-            .unwrap_or_else(PoisonError::into_inner)
-            .insert(number, other);
-    });
-    match stopped {
-        Some(Stopped::Output(error)) => return Err(LogStopped::Output(error)),
-        Some(Stopped::Budget) => return Err(LogStopped::Budget),
-        None => {}
-    }
+        let (recording, heard) = both;
+        recording.into_sink().sink.tile.finish(heard);
+    };
+    let shared = InOrder::new(&mut out, budget);
+    let heard = shared.run(pieces + pixels, || EventWriter::new(&names), trace);
+    let heard = heard.map_err(|stopped| match stopped {
+        Stopped::Output(error) => LogStopped::Output(error),
+        Stopped::Budget => LogStopped::Budget,
+    })?;
     out.flush().map_err(LogStopped::Output)?;
-    let heard = heard.into_inner().unwrap_or_else(PoisonError::into_inner);
-    Ok(heard.into_values().collect())
+    Ok(heard)
 }
 
 /// Writes how a structure was built, piece by piece.
@@ -208,16 +196,16 @@ impl<W: Write> Sink for Building<'_, W> {
     }
 }
 
-/// Makes lines of the records of one scan line.
-struct TileSink<'a, W> {
-    writer: EventWriter<'a>,
-    tile: Tile<'a, W>,
+/// Makes lines of the records of one tile.
+struct TileSink<'a, 'n, W: Write, R: Default + AddAssign> {
+    writer: &'a mut EventWriter<'n>,
+    tile: Tile<'a, W, R>,
 }
 
-impl<W: Write + Send> Sink for TileSink<'_, W> {
+impl<W: Write + Send, R: Default + AddAssign> Sink for TileSink<'_, '_, W, R> {
     #[inline]
     fn record(&mut self, record: &Record) {
-        let writer = &mut self.writer;
+        let writer = &mut *self.writer;
         self.tile.line(|lines| writer.line(record, lines));
     }
 }

@@ -8,9 +8,10 @@
 //! The events are those of some pixels of five scenes in NFF: spheres, cones, polygons, their edges,
 //! and what follows a hit. They are traced once, beforehand, and replayed through [`Recording`], so that
 //! no tracing is measured. What is measured takes turns, round after round, so that a busy machine slows all
-//! alike; the table has the medians. Two others write the same events into a file of the same kind:
-//! `serde_json`, from values built beforehand, and the crate `tracing` with its JSON subscriber
-//! ([`with_tracing`]).
+//! alike; the table has the medians, and the least. One line is otherwise: pixels of one scene with
+//! [`MANY`] events, traced and written by all threads as `raystep trace` does it, head and tracing included.
+//! Two others write the same events into a file of the same kind: `serde_json`, from values built beforehand,
+//! and the crate `tracing` with its JSON subscriber ([`with_tracing`]).
 
 #[path = "recording/with_tracing.rs"]
 mod with_tracing;
@@ -22,8 +23,9 @@ use std::path::Path;
 use std::time::{Duration, Instant};
 
 use raystep::{
-    Event, EventBlocks, Exhaustive, LineSink, LogNames, LogReader, Record, Recorder, Recording,
-    Scene, Settings, Tracer, load, trace_pixel, write_log_head,
+    Event, EventBlocks, Exhaustive, Kinds, LineSink, LogNames, LogOptions, LogReader, LogStopped,
+    LoggedPaths, Off, Record, Recorder, Recording, Region, Scene, Settings, Tracer, load,
+    trace_pixel, write_log, write_log_head,
 };
 use serde_json::Value;
 
@@ -31,6 +33,9 @@ use serde_json::Value;
 const SCENES: [&str; 5] = ["balls-2", "gears-1", "mount-3", "teapot-2", "tree-4"];
 const SIDE: u32 = 512;
 const ROW: u32 = 250;
+
+/// The scene that is traced and written on all threads.
+const LARGE: &str = "mount-3";
 
 /// Events of each scene: its pixels are added until there are as many. Together 10 MB of lines.
 const EVENTS: usize = 8_000;
@@ -59,23 +64,12 @@ pub struct Part {
 
 impl Part {
     fn of(name: &str) -> Self {
-        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/nff");
-        let mut loaded = load(&folder.join(name).with_extension("nff")).expect(PRESENT);
-        loaded.scene.camera.pixels = [SIDE, SIDE];
-        let scene = loaded.build().expect(PRESENT);
+        let scene = scene(name);
         let names = LogNames::new(&scene);
-
         let settings = Settings::default();
-        let strategy = Exhaustive::new(&scene);
-        let tracer = Tracer::new(&scene, &strategy, settings.transport);
         let lines = Recording::new(LineSink::new(&names));
         let mut both = (Recording::new(Vec::new()), lines);
-        for x in SIDE / 2.. {
-            trace_pixel(&tracer, [x, ROW], settings.through, &mut both);
-            if EVENTS <= both.0.sink().len() {
-                break;
-            }
-        }
+        trace_pixels(&scene, &mut both, |both| EVENTS <= both.0.sink().len());
         let records: Vec<Record> = both.0.into_sink();
         let lines = both.1.into_sink().lines;
         let values = lines.split_inclusive(|&byte| byte == b'\n');
@@ -95,6 +89,73 @@ impl Part {
     }
 }
 
+fn scene(name: &str) -> Scene {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/nff");
+    let mut loaded = load(&folder.join(name).with_extension("nff")).expect(PRESENT);
+    loaded.scene.camera.pixels = [SIDE, SIDE];
+    loaded.build().expect(PRESENT)
+}
+
+/// Traces pixels of a row until there are enough events, and says which.
+fn trace_pixels<R: Recorder>(
+    scene: &Scene,
+    recorder: &mut R,
+    enough: impl Fn(&R) -> bool,
+) -> Region {
+    let settings = Settings::default();
+    let strategy = Exhaustive::new(scene);
+    let tracer = Tracer::new(scene, &strategy, settings.transport);
+    let mut region = Region::pixel([SIDE / 2, ROW]);
+    while !enough(recorder) {
+        trace_pixel(&tracer, region.to, settings.through, recorder);
+        region.to[0] += 1;
+    }
+    region.to[0] -= 1;
+    region
+}
+
+/// A log as `raystep trace` makes it: traced and written on all threads.
+struct Whole {
+    scene: Scene,
+    region: Region,
+    events: usize,
+}
+
+/// How many events it has: the lines of its objects are few beside them.
+const MANY: u64 = 200_000;
+
+impl Whole {
+    fn of(name: &str) -> Self {
+        let scene = scene(name);
+        let names = LogNames::new(&scene);
+        let mut lines = Recording::new(LineSink::new(&names));
+        let region = trace_pixels(&scene, &mut lines, |lines| MANY <= lines.sink().count);
+        let events = lines.into_sink().count as usize;
+        Self {
+            scene,
+            region,
+            events,
+        }
+    }
+
+    fn write(&self, out: &mut File) -> io::Result<()> {
+        let settings = Settings::default();
+        let strategy = Exhaustive::new(&self.scene);
+        let tracer = Tracer::new(&self.scene, &strategy, settings.transport);
+        let options = LogOptions {
+            region: self.region,
+            kinds: Kinds::ALL,
+            budget: u64::MAX,
+            paths: LoggedPaths::None,
+        };
+        match write_log(&tracer, &settings, &options, out, |_| {}) {
+            Ok(Off) => Ok(()),
+            Err(LogStopped::Output(error)) => Err(error),
+            Err(LogStopped::Budget) => unreachable!("there is no limit"),
+        }
+    }
+}
+
 /// Makes ready what it needs, does its work, and says how long the work alone took.
 type Measured<'a> = Box<dyn FnMut() -> Duration + 'a>;
 
@@ -109,11 +170,26 @@ fn main() -> io::Result<()> {
     let mut kept = EventBlocks::default();
     let sinks = parts.iter().map(|part| LineSink::new(&part.names));
     let mut recordings: Vec<_> = sinks.map(Recording::new).collect();
+    let mut unwritten = recordings.clone();
+    let whole = Whole::of(LARGE);
     let tracing = with_tracing::Subscribed::new()?;
     let mut measured: Vec<(&str, Measured<'_>)> = vec![
         (
             "JSON Lines into a file",
             Box::new(|| into_new_file(|file| into_lines(&parts, &mut recordings, file))),
+        ),
+        (
+            "JSON Lines, not written",
+            Box::new(|| {
+                timed(|| into_lines(&parts, &mut unwritten, &mut io::sink()).expect(WRITES))
+            }),
+        ),
+        (
+            "traced and written by all threads",
+            Box::new(|| {
+                let all = into_new_file(|file| whole.write(file));
+                all.mul_f64(events as f64 / whole.events as f64)
+            }),
         ),
         (
             "serde_json's values into a file",
@@ -150,10 +226,23 @@ fn main() -> io::Result<()> {
         }
     }
     println!("{events} events, {} bytes a line", bytes / events);
-    println!("{:<34}{:>12}{:>10}", "", "ns an event", "ratio");
-    let medians: Vec<f64> = times.into_iter().map(median).collect();
-    for ((name, _), time) in measured.iter().zip(&medians) {
-        println!("{name:<34}{time:>12.1}{:>10.2}", time / medians[0]);
+    println!(
+        "{:<34}{:>12}{:>10}{:>10}",
+        "", "ns an event", "least", "ratio"
+    );
+    let [medians, least] = [ROUNDS / 2, 0].map(|place| -> Vec<f64> {
+        let sorted = |times: &Vec<f64>| {
+            let mut sorted = times.clone();
+            sorted.sort_by(f64::total_cmp);
+            sorted
+        };
+        times.iter().map(|times| sorted(times)[place]).collect()
+    });
+    for (((name, _), time), least) in measured.iter().zip(&medians).zip(least) {
+        println!(
+            "{name:<34}{time:>12.1}{least:>10.1}{:>10.2}",
+            time / medians[0]
+        );
     }
     Ok(())
 }
@@ -170,11 +259,6 @@ fn timed(work: impl FnOnce()) -> Duration {
 fn into_new_file(work: impl FnOnce(&mut File) -> io::Result<()>) -> Duration {
     let mut file = tempfile::tempfile().expect(WRITES);
     timed(|| work(&mut file).expect(WRITES))
-}
-
-fn median(mut times: Vec<f64>) -> f64 {
-    times.sort_by(f64::total_cmp);
-    times[times.len() / 2]
 }
 
 /// The first events of each scene, as many as a cache holds.
@@ -208,7 +292,7 @@ fn into_fresh_memory(parts: &[Part]) {
 fn into_lines(
     parts: &[Part],
     recordings: &mut [Recording<LineSink<'_>>],
-    out: &mut File,
+    out: &mut impl Write,
 ) -> io::Result<()> {
     for (part, recording) in parts.iter().zip(recordings) {
         for event in &part.events {
@@ -222,7 +306,7 @@ fn into_lines(
     Ok(())
 }
 
-fn write_out(recording: &mut Recording<LineSink<'_>>, out: &mut File) -> io::Result<()> {
+fn write_out(recording: &mut Recording<LineSink<'_>>, out: &mut impl Write) -> io::Result<()> {
     let lines = &mut recording.sink_mut().lines;
     out.write_all(lines)?;
     lines.clear();

@@ -80,11 +80,8 @@ fn counts_of_a_trace_are_those_of_its_log() {
                 let tracer = tracer(&scene, &strategy, &way);
                 let mut bytes = Vec::new();
                 let options = all_of(Region::whole(scene.camera.pixels));
-                let lines = write_log::<_, Counts>(&tracer, &way, &options, &mut bytes, |_| {});
-                let mut traced = Counts::default();
-                for line in &lines.unwrap() {
-                    traced.add(line);
-                }
+                let traced = write_log::<_, Counts>(&tracer, &way, &options, &mut bytes, |_| {});
+                let traced = traced.unwrap();
                 let mut read = Counts::default();
                 for record in LogReader::open(&name, &*bytes).unwrap() {
                     let event = record.unwrap().event;
