@@ -59,11 +59,21 @@ pub enum Link {
     },
 }
 
+impl<const N: usize> Node<N> {
+    /// A node whose bound comes later.
+    pub(super) fn unbounded(link: Link) -> Self {
+        Self {
+            bound: SlabBound::EMPTY,
+            link,
+        }
+    }
+}
+
 /// The nodes without their bounds: what a build decides. The root is the first; children come after their
 /// parent and stand side by side.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub(super) struct Topology {
-    pub(super) links: Vec<Link>,
+pub(super) struct Topology<const N: usize> {
+    pub(super) nodes: Vec<Node<N>>,
     /// The objects in the order of the leaves.
     pub(super) order: Vec<PrimitiveId>,
 }
@@ -115,13 +125,8 @@ impl<const N: usize> Hierarchy<N> {
     }
 
     /// Gives the nodes their bounds, from the bottom up.
-    fn bounded(scene: &Scene, set: SlabSet<N>, topology: Topology) -> Self {
-        let Topology { links, order } = topology;
-        let empty = |&link: &Link| Node {
-            bound: SlabBound::EMPTY,
-            link,
-        };
-        let mut nodes: Vec<Node<N>> = links.iter().map(empty).collect();
+    fn bounded(scene: &Scene, set: SlabSet<N>, topology: Topology<N>) -> Self {
+        let Topology { mut nodes, order } = topology;
         // children stand behind their parent
         for at in (0..nodes.len()).rev() {
             let bound = |of: &[Node<N>], bound: SlabBound<N>| {

@@ -9,9 +9,9 @@
 
 use glam::DVec3;
 
-use crate::scene::{PrimitiveId, Scene};
+use crate::scene::Scene;
 use crate::structure::build::solid::Solid;
-use crate::structure::build::tree::{Tree, TreeNode};
+use crate::structure::build::tree::Tree;
 use crate::structure::hierarchy::Topology;
 
 /// How far along the curve a partner is looked for, to either side: the paper finds no gain beyond some
@@ -26,50 +26,53 @@ struct Cluster {
 }
 
 /// The hierarchy of pairs.
-pub(in crate::structure) fn bottom_up(scene: &Scene) -> Topology {
+pub(in crate::structure) fn bottom_up<const N: usize>(scene: &Scene) -> Topology<N> {
     let solids: Vec<Solid> = scene
         .primitives
         .iter()
         .map(|primitive| Solid::of(&primitive.shape))
         .collect();
-    let mut tree = Tree::default();
-    let mut waiting = Vec::with_capacity(solids.len());
-    for object in along_the_curve(&solids) {
-        let node = tree.nodes.len() as u32;
-        tree.nodes.push(TreeNode::Object(PrimitiveId(object)));
-        waiting.push(Cluster {
-            node,
-            solid: solids[object as usize],
-        });
-    }
+    let mut tree = Tree::of(solids.len());
+    let cluster = |object: u32| Cluster {
+        node: object,
+        solid: solids[object as usize],
+    };
+    let order = along_the_curve(&solids);
+    let mut waiting: Vec<Cluster> = order.into_iter().map(cluster).collect();
+    drop(solids);
+    let mut partners = Vec::with_capacity(waiting.len());
     while 1 < waiting.len() {
-        waiting = joined(&waiting, &mut tree);
+        partners.clear();
+        partners.extend((0..waiting.len()).map(|at| partner(&waiting, at)));
+        join(&mut waiting, &partners, &mut tree);
     }
-    match waiting.first() {
+    match waiting.pop() {
         Some(root) => tree.laid_out(root.node),
         None => Topology::default(),
     }
 }
 
 /// Joins every two volumes that are each other's best partner; the pair with the smallest area always is.
-fn joined(waiting: &[Cluster], tree: &mut Tree<[u32; 2]>) -> Vec<Cluster> {
-    let partners: Vec<usize> = (0..waiting.len()).map(|at| partner(waiting, at)).collect();
-    let mut left = Vec::with_capacity(waiting.len());
-    for (at, cluster) in waiting.iter().enumerate() {
-        let with = partners[at];
-        if partners[with] != at {
-            left.push(*cluster);
-        } else if at < with {
-            let node = tree.nodes.len() as u32;
-            let pair = [cluster.node, waiting[with].node];
-            tree.nodes.push(TreeNode::Children(pair));
-            left.push(Cluster {
-                node,
-                solid: cluster.solid.union(&waiting[with].solid),
-            });
+fn join(waiting: &mut Vec<Cluster>, partners: &[usize], tree: &mut Tree<[u32; 2]>) {
+    // those that are left move up: what stands further on is read before it is written over
+    let mut left = 0;
+    for (at, &with) in partners.iter().enumerate() {
+        let is_pair = partners[with] == at;
+        if is_pair && with < at {
+            continue;
         }
+        let mut cluster = waiting[at];
+        if is_pair {
+            let other = waiting[with];
+            cluster = Cluster {
+                node: tree.join([cluster.node, other.node]),
+                solid: cluster.solid.union(&other.solid),
+            };
+        }
+        waiting[left] = cluster;
+        left += 1;
     }
-    left
+    waiting.truncate(left);
 }
 
 /// The neighbour with which the box is smallest. Of equals the one whose two places, the lower before the

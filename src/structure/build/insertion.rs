@@ -11,12 +11,12 @@
 //! What it cost to make the nodes above larger is paid in any case. The tree depends on the order of the
 //! objects; here it is that of the scene.
 
-use crate::scene::{PrimitiveId, Scene};
+use crate::scene::{Primitive, Scene};
 use crate::structure::build::solid::Solid;
-use crate::structure::build::tree::{Tree, TreeNode};
+use crate::structure::build::tree::Tree;
 use crate::structure::hierarchy::Topology;
 
-/// A node of the growing tree and the box around it.
+/// The growing tree, and the box around each of its nodes.
 struct Growing {
     tree: Tree<Vec<u32>>,
     solids: Vec<Solid>,
@@ -24,45 +24,38 @@ struct Growing {
 }
 
 /// The hierarchy by insertion.
-pub(in crate::structure) fn insertion(scene: &Scene) -> Topology {
-    let mut objects = (0..).map(PrimitiveId).zip(&scene.primitives);
-    let Some((first, primitive)) = objects.next() else {
+pub(in crate::structure) fn insertion<const N: usize>(scene: &Scene) -> Topology<N> {
+    let objects = scene.primitives.len();
+    if objects == 0 {
         return Topology::default();
-    };
+    }
+    let solid_of = |primitive: &Primitive| Solid::of(&primitive.shape);
     let mut growing = Growing {
-        tree: Tree::default(),
-        solids: Vec::with_capacity(2 * scene.primitives.len()),
+        tree: Tree::of(objects),
+        solids: scene.primitives.iter().map(solid_of).collect(),
         root: 0,
     };
-    growing.add(TreeNode::Object(first), Solid::of(&primitive.shape));
-    for (id, primitive) in objects {
-        growing.insert(id, Solid::of(&primitive.shape));
+    for object in 1..objects as u32 {
+        growing.insert(object);
     }
     growing.tree.laid_out(growing.root)
 }
 
 impl Growing {
-    fn add(&mut self, node: TreeNode<Vec<u32>>, solid: Solid) -> u32 {
-        self.tree.nodes.push(node);
-        self.solids.push(solid);
-        self.solids.len() as u32 - 1
+    /// A new node around two.
+    fn pair(&mut self, first: u32, second: u32) -> u32 {
+        let [a, b] = [first, second].map(|node| self.solids[node as usize]);
+        self.solids.push(a.union(&b));
+        self.tree.join(vec![first, second])
     }
 
-    fn children(&self, node: u32) -> Option<&[u32]> {
-        match &self.tree.nodes[node as usize] {
-            TreeNode::Object(_) => None,
-            TreeNode::Children(children) => Some(children),
-        }
-    }
-
-    fn insert(&mut self, id: PrimitiveId, solid: Solid) {
-        let new = self.add(TreeNode::Object(id), solid);
+    fn insert(&mut self, new: u32) {
+        let solid = self.solids[new as usize];
         let mut node = self.root;
-        let Some(_) = self.children(node) else {
-            let both = self.solids[node as usize].union(&solid);
-            self.root = self.add(TreeNode::Children(vec![node, new]), both);
+        if self.tree.children(node).is_none() {
+            self.root = self.pair(node, new);
             return;
-        };
+        }
         loop {
             let grown = self.solids[node as usize].union(&solid);
             self.solids[node as usize] = grown;
@@ -71,29 +64,31 @@ impl Growing {
             };
             // one more child: the node's volume, once met, costs one test more
             let as_child = grown.half_area();
-            match &mut self.tree.nodes[node as usize] {
-                TreeNode::Children(children) if as_child <= added => return children.push(new),
-                TreeNode::Children(_) if !is_object => node = child,
-                TreeNode::Children(_) | TreeNode::Object(_) => {
-                    let both = self.solids[child as usize].union(&solid);
-                    let pair = self.add(TreeNode::Children(vec![child, new]), both);
-                    if let TreeNode::Children(children) = &mut self.tree.nodes[node as usize] {
-                        children[place] = pair;
-                    }
-                    return;
+            if as_child <= added {
+                if let Some(children) = self.tree.children_mut(node) {
+                    children.push(new);
                 }
+                return;
             }
+            if is_object {
+                let pair = self.pair(child, new);
+                if let Some(children) = self.tree.children_mut(node) {
+                    children[place] = pair;
+                }
+                return;
+            }
+            node = child;
         }
     }
 
     /// The child that takes the object in at the least cost: its place, itself, what it adds, and whether it
     /// is an object, so that a pair would be made.
     fn best_child(&self, node: u32, solid: &Solid) -> Option<(usize, u32, f64, bool)> {
-        let children = self.children(node)?;
+        let children = self.tree.children(node)?;
         let cost = |(place, &child): (usize, &u32)| {
             let before = self.solids[child as usize];
             let after = before.union(solid).half_area();
-            match self.children(child) {
+            match self.tree.children(child) {
                 // a new volume with two children
                 None => (place, child, 2.0 * after, true),
                 // the child's volume grows, and each of its children is tested more often

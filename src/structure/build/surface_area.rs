@@ -12,7 +12,7 @@ use glam::DVec3;
 
 use crate::scene::{Primitive, PrimitiveId, Scene, Shape};
 use crate::structure::build::solid::Solid;
-use crate::structure::hierarchy::{Link, Topology};
+use crate::structure::hierarchy::{Link, Node, Topology};
 
 /// Into how many bins at most the centers are sorted along an axis: more of them find hardly better cuts.
 const BINS: usize = 16;
@@ -43,7 +43,7 @@ struct Task {
 }
 
 /// The hierarchy by the surface-area heuristic.
-pub(in crate::structure) fn surface_area(scene: &Scene) -> Topology {
+pub(in crate::structure) fn surface_area<const N: usize>(scene: &Scene) -> Topology<N> {
     let mut items: Vec<Item> = (0..)
         .map(PrimitiveId)
         .zip(&scene.primitives)
@@ -56,8 +56,8 @@ pub(in crate::structure) fn surface_area(scene: &Scene) -> Topology {
         return Topology::default();
     }
     let node_cost = node_cost(scene);
-    let open = Link::Objects { first: 0, count: 0 };
-    let mut links = vec![open];
+    let open = Node::unbounded(Link::Objects { first: 0, count: 0 });
+    let mut nodes = vec![open];
     let mut tasks = vec![Task {
         node: 0,
         from: 0,
@@ -73,14 +73,14 @@ pub(in crate::structure) fn surface_area(scene: &Scene) -> Topology {
         solid,
     }) = tasks.pop()
     {
-        links[node] = match cut(&mut items[from..to], &solid, depth, node_cost) {
+        nodes[node].link = match cut(&mut items[from..to], &solid, depth, node_cost) {
             None => Link::Objects {
                 first: from as u32,
                 count: (to - from) as u32,
             },
             Some(Halves { left, solids }) => {
-                let first = links.len();
-                links.extend([open; 2]);
+                let first = nodes.len();
+                nodes.extend([open; 2]);
                 let depth = depth + 1;
                 let middle = from + left;
                 // the first half is laid out next
@@ -102,7 +102,7 @@ pub(in crate::structure) fn surface_area(scene: &Scene) -> Topology {
         };
     }
     Topology {
-        links,
+        nodes,
         order: items.into_iter().map(|item| item.id).collect(),
     }
 }
