@@ -10,6 +10,7 @@ use std::fmt;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::{Deserialize, Deserializer, MapAccess, Visitor};
 use serde::{Serialize, Serializer};
+use smol_str::SmolStr;
 
 use crate::geometry::Sides;
 pub use crate::scene::faces::{Face, FaceList, Points};
@@ -185,9 +186,9 @@ fn default_index() -> f64 {
 pub struct ObjectFile {
     /// Its name in the log; no two objects share one.
     #[schemars(length(min = 1))]
-    pub name: String,
+    pub name: SmolStr,
     /// The name of its material.
-    pub material: String,
+    pub material: SmolStr,
     /// Its form.
     pub shape: ShapeFile,
     /// Which sides of its surface can be seen.

@@ -1,6 +1,7 @@
 //! Objects, and the primitives they consist of.
 
 use glam::DVec3;
+use smol_str::SmolStr;
 
 use crate::geometry::{AxisBox, Cone, Ellipsoid, Polygon, Sides, Sphere, interpolated_normal};
 
@@ -11,8 +12,9 @@ pub struct PrimitiveId(pub u32);
 /// An object as the scene file names it: one primitive, or the faces of a mesh.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Object {
-    /// Its name; no two objects share one.
-    pub name: String,
+    /// Its name; no two objects share one. Up to 23 bytes take no memory of their own: of a million triangles
+    /// that is a tenth.
+    pub name: SmolStr,
     /// Its place in [`Scene::materials`](crate::scene::Scene::materials).
     pub material: u32,
     /// Which sides of its surface the scene file lets be seen.

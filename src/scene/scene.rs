@@ -160,7 +160,7 @@ impl Scene {
         };
         ObjectFile {
             name: object.name.clone(),
-            material: self.materials.0[object.material as usize].0.clone(),
+            material: self.materials.0[object.material as usize].0.as_str().into(),
             shape,
             sides: object.sides.into(),
         }

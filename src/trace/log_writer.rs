@@ -3,6 +3,7 @@
 use std::io::{self, Write};
 
 use serde::Serialize;
+use smol_str::SmolStr;
 
 use crate::scene::file::{CameraFile, LightFile, Materials, ObjectFile, ShapeFile, SidesFile};
 use crate::scene::{PrimitiveId, Scene, SceneFile};
@@ -51,9 +52,9 @@ pub(super) struct ObjectLine {
     /// `object`.
     pub(super) kind: String,
     /// Its name.
-    pub(super) name: String,
+    pub(super) name: SmolStr,
     /// The name of its material.
-    pub(super) material: String,
+    pub(super) material: SmolStr,
     /// Its form.
     pub(super) shape: ShapeFile,
     /// Which sides of its surface can be seen.

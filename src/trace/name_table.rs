@@ -2,12 +2,14 @@
 
 use std::collections::HashMap;
 
+use smol_str::SmolStr;
+
 use crate::scene::{PrimitiveId, Scene};
 
 /// The objects and lights of a scene by their names.
 #[derive(Debug)]
 pub(super) struct NameTable {
-    pub(super) objects: HashMap<String, NamedObject>,
+    pub(super) objects: HashMap<SmolStr, NamedObject>,
     pub(super) lights: HashMap<String, u32>,
 }
 

@@ -142,7 +142,7 @@ fn check_inside(
     match scene.primitive(object.first).sides {
         Sides::Front => Err(LightError::Inside {
             light,
-            object: name,
+            object: name.into(),
         }),
         Sides::Back => Ok(None),
         // a room that the eye is in as well

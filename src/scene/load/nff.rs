@@ -8,6 +8,8 @@ mod view;
 
 use std::collections::HashMap;
 
+use smol_str::{SmolStr, format_smolstr};
+
 use crate::scene::file::{
     CameraFile, LightFile, Material, Materials, ObjectFile, PolygonFile, SceneFile, ShapeFile,
     SidesFile,
@@ -77,7 +79,7 @@ struct Reader<'a> {
     /// Lights without a colour wait for the number of lights.
     scene: SceneFile,
     /// The name of the material that holds.
-    material: Option<String>,
+    material: Option<SmolStr>,
     /// How many objects there are of each kind.
     kinds: HashMap<&'static str, usize>,
     /// Where each part begins.
@@ -183,7 +185,7 @@ impl Reader<'_> {
             materials.push((name.clone(), material));
             name
         };
-        self.material = Some(name);
+        self.material = Some(name.into());
         Ok(())
     }
 
@@ -249,7 +251,7 @@ impl Reader<'_> {
         *count += 1;
         self.lines.objects.push(line);
         self.scene.objects.push(ObjectFile {
-            name: format!("{kind}-{count}"),
+            name: format_smolstr!("{kind}-{count}"),
             material: self.material.clone().unwrap_or_default(),
             shape,
             sides: if inside { Back } else { Both },
