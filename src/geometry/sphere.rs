@@ -46,14 +46,16 @@ impl Sphere {
     /// Does the line of the ray pass the sphere so far from its edge that [`Sphere::test`] finds no real root,
     /// whatever is rounded?
     ///
-    /// a·r² − |o × Δ|² < 0 by more than 10⁻⁵ of |Δ|²·|o|², which is beyond the rounding of both squares and
-    /// beyond what counts as a graze. `false` says nothing.
+    /// The discriminant (o·Δ)² − a·(|o|² − r²), a quarter of b² − 4ac, is below 0 by more than 10⁻⁵ of a·|o|²: that
+    /// is beyond the rounding of its terms and beyond what counts as a graze. So it is enough to subtract them here,
+    /// with fewer products than the test needs. `false` says nothing.
     #[inline]
     pub fn is_clearly_missed(&self, ray: &Ray) -> bool {
         let offset = ray.origin - self.center;
         let a = ray.direction.length_squared();
-        let inside = a * (self.radius * self.radius) - ray.direction.cross(offset).length_squared();
-        inside < -DISCRIMINANT_CANCELS * a * offset.length_squared()
+        let half_b = ray.direction.dot(offset);
+        let c = (1.0 - DISCRIMINANT_CANCELS) * offset.length_squared() - self.radius * self.radius;
+        half_b * half_b < a * c
     }
 
     /// ((x − a)/r, (y − b)/r, (z − c)/r): the unit normal at a point of the surface, outwards.

@@ -64,17 +64,16 @@ impl<'a> UniformGrid<'a> {
                 max: range.max * (1.0 + STRETCH),
             },
         );
-        let first = walk.cell();
         recorder.note(|| {
             Event::GridEnter(GridEnter {
                 min: self.grid.min(),
                 max: self.grid.max(),
                 resolution: self.grid.resolution(),
                 inside: self.grid.inside(ray),
-                cell: first,
+                cell: walk.cell(),
             })
         });
-        let mut end = first.map_or(WalkEnd::Outside, |_| WalkEnd::Left);
+        let mut end = WalkEnd::Outside;
         let mut cells = 0;
         loop {
             let entering = if R::ENABLED { walk.entering() } else { None };
@@ -82,6 +81,7 @@ impl<'a> UniformGrid<'a> {
                 break;
             };
             cells += 1;
+            end = WalkEnd::Left;
             let listed = self.grid.lists().range(number);
             if let Some(entering) = entering {
                 recorder.note(|| {
@@ -115,11 +115,7 @@ impl<'a> UniformGrid<'a> {
         is_first: &mut impl FnMut(PrimitiveId) -> bool,
     ) -> ControlFlow<()> {
         let order = self.grid.lists().objects();
-        self.objects.visit(order, listed, |listed| {
-            // less work than to look into a mailbox
-            if !R::ENABLED && listed.is_clearly_missed(ray) {
-                return ControlFlow::Continue(());
-            }
+        self.objects.visit::<R>(order, listed, ray, |listed| {
             let object = listed.id();
             recorder.note(|| Event::Listed { object });
             if !is_first(object) {

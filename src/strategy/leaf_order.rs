@@ -82,10 +82,7 @@ impl<'a> LeafOrder<'a> {
         if !R::ENABLED && !self.triangles.is_empty() {
             return self.test_triangles(order, places, ray, search, recorder);
         }
-        self.visit(order, places, |object| {
-            if !R::ENABLED && object.is_clearly_missed(ray) {
-                return ControlFlow::Continue(());
-            }
+        self.visit::<R>(order, places, ray, |object| {
             match object.test(self.scene, ray, search.range(), recorder) {
                 Some(t) => search.offer(object.id(), t, recorder),
                 None => ControlFlow::Continue(()),
@@ -123,21 +120,29 @@ impl<'a> LeafOrder<'a> {
     }
 
     /// Visits the objects in these places of `order`, which is the order that was given at first.
+    ///
+    /// Where nobody follows, those that are clearly missed are left out: nothing else that could be asked of them
+    /// costs less. What is recorded is the whole test.
     #[inline]
-    pub(super) fn visit(
+    pub(super) fn visit<R: Recorder>(
         &self,
         order: &[PrimitiveId],
         places: Range<usize>,
+        ray: &Ray,
         mut visit: impl FnMut(&Listed) -> ControlFlow<()>,
     ) -> ControlFlow<()> {
-        if self.copies.is_empty() {
-            for &id in &order[places] {
-                visit(&Listed::InScene { id })?;
+        for place in places {
+            let in_scene;
+            let listed = match self.copies.get(place) {
+                Some(copy) => copy,
+                None => {
+                    in_scene = Listed::InScene { id: order[place] };
+                    &in_scene
+                }
+            };
+            if R::ENABLED || !listed.is_clearly_missed(ray) {
+                visit(listed)?;
             }
-            return ControlFlow::Continue(());
-        }
-        for object in &self.copies[places] {
-            visit(object)?;
         }
         ControlFlow::Continue(())
     }
@@ -190,7 +195,7 @@ impl Listed {
     ///
     /// Asked only where nobody follows: what is recorded is the whole test.
     #[inline]
-    pub(super) fn is_clearly_missed(&self, ray: &Ray) -> bool {
+    fn is_clearly_missed(&self, ray: &Ray) -> bool {
         match self {
             Self::Sphere { sphere, .. } => sphere.is_clearly_missed(ray),
             Self::InScene { .. } => false,

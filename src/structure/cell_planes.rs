@@ -106,8 +106,8 @@ impl CellPlanes {
     pub(crate) fn near(&self, axis: usize, x: f64) -> usize {
         let low = self.planes[self.first(axis)];
         // a conversion to whole numbers cuts off what does not fit
-        let at = ((x - low) * self.per_unit[axis]) as usize;
-        at.min(self.resolution[axis] as usize - 1)
+        let at = ((x - low) * self.per_unit[axis]) as u32;
+        at.min(self.resolution[axis] - 1) as usize
     }
 
     /// The first and the last cell along an axis that [low, high] touches; a plane belongs to both sides.

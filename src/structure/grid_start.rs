@@ -57,6 +57,8 @@ enum Plain {
 /// decides. Nearly every ray is spared that.
 #[inline]
 fn plain_start(cells: &CellPlanes, ray: &Ray, inverse: [f64; 3], range: TRange) -> Plain {
+    // what is no number is left out of the comparisons, and asked for where one of them has settled something
+    let is_unsure = || inverse.iter().any(|inverse| inverse.is_nan());
     let (mut begin, mut end) = (range.min.max(0.0), range.max);
     for (axis, inverse) in inverse.iter().enumerate() {
         let planes = cells.axis(axis);
@@ -67,38 +69,34 @@ fn plain_start(cells: &CellPlanes, ray: &Ray, inverse: [f64; 3], range: TRange) 
         } else {
             (at_high, at_low)
         };
-        // what is no number is left out here, and never certain below
         begin = if begin < near { near } else { begin };
         end = if far < end { far } else { end };
     }
     if !clearly_before(begin, end) {
-        let passes_by =
-            clearly_before(end, begin) && inverse.iter().all(|inverse| !inverse.is_nan());
-        return if passes_by {
+        return if clearly_before(end, begin) && !is_unsure() {
             Plain::PassesBy
         } else {
             Plain::Unsure
         };
     }
     let mut cell = [0; 3];
-    let mut certain = true;
+    let (mut entered, mut left) = (f64::MIN, f64::INFINITY);
     for axis in 0..3 {
         let planes = cells.axis(axis);
         let (origin, direction) = (ray.origin[axis], ray.direction[axis]);
         let t = |plane: f64| (plane - origin) * inverse[axis];
         let at = cells.near(axis, origin + begin * direction);
-        let (low, high) = (t(planes[at]), t(planes[at + 1]));
-        let (enters, leaves, outermost) = if 0.0 < direction {
-            (low, high, 0)
-        } else {
-            (high, low, planes.len() - 2)
-        };
+        // no jump depends on which way the ray goes: that cannot be foretold
+        let upwards = 0.0 < direction;
+        let [behind, ahead] = [!upwards, upwards].map(|one| t(planes[at + usize::from(one)]));
         // the first cell behind the outer plane was entered before t₀, or there
-        certain &= clearly_before(begin, leaves);
-        certain &= at == outermost || clearly_before(enters, begin);
+        let outermost = if upwards { 0 } else { planes.len() - 2 };
+        let behind = if at == outermost { f64::MIN } else { behind };
+        entered = if entered < behind { behind } else { entered };
+        left = if ahead < left { ahead } else { left };
         cell[axis] = at as u32;
     }
-    if certain {
+    if clearly_before(begin, left) && clearly_before(entered, begin) && !is_unsure() {
         Plain::Cell(Start { cell, t: begin })
     } else {
         Plain::Unsure

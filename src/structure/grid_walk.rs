@@ -20,7 +20,7 @@
 use crate::geometry::{Ray, TRange};
 use crate::structure::cell_planes::CellPlanes;
 use crate::structure::grid_start::start;
-use crate::structure::ray_order::{Meeting, clearly_before};
+use crate::structure::ray_order::{Meeting, just_after};
 use crate::structure::{Across, CellStep};
 
 /// A walk through a grid; an iterator over the cells that the ray pierces.
@@ -29,6 +29,8 @@ pub struct GridWalk<'g> {
     /// All planes of the grid.
     planes: &'g [f64],
     axes: [AxisWalk; 3],
+    /// t of the next plane; infinite if the ray does not move along this axis, no number if 1/Δ is none.
+    next: [f64; 3],
     /// The number of the cell that comes next.
     number: usize,
     /// Where the ray enters it.
@@ -41,8 +43,6 @@ pub struct GridWalk<'g> {
 /// A walk along one axis.
 #[derive(Clone, Copy, Debug, Default)]
 struct AxisWalk {
-    /// t of the next plane; infinite if the ray does not move along this axis, no number if 1/Δ is none.
-    next: f64,
     origin: f64,
     direction: f64,
     /// 1/Δ.
@@ -75,6 +75,7 @@ impl<'g> GridWalk<'g> {
         let mut walk = Self {
             planes: cells.all(),
             axes: [AxisWalk::default(); 3],
+            next: [f64::INFINITY; 3],
             number: 0,
             t_in: 0.0,
             max: range.max,
@@ -96,7 +97,6 @@ impl<'g> GridWalk<'g> {
             let downwards = direction < 0.0;
             let one_way = |by: usize| if downwards { by.wrapping_neg() } else { by };
             *of = AxisWalk {
-                next: f64::INFINITY,
                 origin,
                 direction,
                 inverse: inverse[axis],
@@ -107,7 +107,7 @@ impl<'g> GridWalk<'g> {
                 to_cell: one_way(strides[axis]),
             };
             if direction != 0.0 {
-                of.next = of.meets_next(walk.planes, first.t);
+                walk.next[axis] = of.meets_next(walk.planes, first.t);
             }
         }
         walk
@@ -120,7 +120,7 @@ impl<'g> GridWalk<'g> {
 
     /// The next cell with all that is known of it before it is left.
     pub(crate) fn entering(&self) -> Option<CellStep> {
-        let mut next = self.axes.map(|of| of.next);
+        let mut next = self.next;
         for (axis, next) in next.iter_mut().enumerate() {
             if next.is_nan() {
                 *next = self.meeting(axis).t().max(self.t_in);
@@ -141,17 +141,13 @@ impl<'g> GridWalk<'g> {
             return None;
         }
         let number = self.number;
-        let next = [self.axes[0].next, self.axes[1].next, self.axes[2].next];
+        let [x, y, z] = self.next;
         // the choice is kept free of branches: which axis comes next cannot be foretold
-        let of_two = usize::from(next[1] < next[0]);
-        let axis = if next[2] < self.axes[of_two].next {
-            2
-        } else {
-            of_two
-        };
-        let t = self.axes[axis].next;
-        let later = next.map(|other| u8::from(clearly_before(t, other)));
-        let leaving = if later[0] + later[1] + later[2] == 2 && clearly_before(t, self.max) {
+        let (of_two, other) = if y < x { (y, x) } else { (x, y) };
+        let (t, third) = if z < of_two { (z, of_two) } else { (of_two, z) };
+        let axis = if z < of_two { 2 } else { usize::from(y < x) };
+        let after = just_after(t);
+        let leaving = if after < other && after < third && after < self.max {
             self.cross(axis, t);
             Leaving {
                 t,
@@ -174,7 +170,7 @@ impl<'g> GridWalk<'g> {
         }
         of.plane = of.plane.wrapping_add(of.to_plane);
         self.number = self.number.wrapping_add(of.to_cell);
-        of.next = of.meets_next(self.planes, t);
+        self.next[axis] = of.meets_next(self.planes, t);
     }
 
     /// The step where two planes are about equally near, or where the range ends about here.
@@ -189,7 +185,7 @@ impl<'g> GridWalk<'g> {
         let across: u8 = (0..3).filter(is_first).map(|axis| 1 << axis).sum();
         let is_crossed = |axis: usize| across & (1 << axis) != 0;
 
-        let t_of = |axis: usize| match self.axes[axis].next {
+        let t_of = |axis: usize| match self.next[axis] {
             next if next.is_nan() => meetings[axis].t().max(self.t_in),
             next => next,
         };
@@ -207,8 +203,7 @@ impl<'g> GridWalk<'g> {
             if is_crossed(axis) {
                 self.cross(axis, t);
             } else {
-                let of = &mut self.axes[axis];
-                of.next = not_before(t, of.next);
+                self.next[axis] = not_before(t, self.next[axis]);
             }
         }
         Leaving { t, across }

@@ -85,6 +85,12 @@ pub(super) fn clearly_before(t: f64, other: f64) -> bool {
     t + MARGIN * t.abs() + TINY < other
 }
 
+/// What comes after this comes after t for certain, where t is not negative.
+#[inline]
+pub(super) fn just_after(t: f64) -> f64 {
+    (1.0 + MARGIN) * t + TINY
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
