@@ -139,11 +139,8 @@ impl Strategy for UniformGrid<'_> {
     #[inline]
     fn search<R: Recorder>(&self, ray: &Ray, search: &mut impl Search, recorder: &mut R) {
         if self.mailboxes {
-            // many a ray needs none
-            let mut mailboxes = None;
-            let of_ray = || Mailboxes::for_ray(self.objects.scene().primitives.len());
+            let mut mailboxes = Mailboxes::for_ray(self.objects.scene().primitives.len());
             self.walk(ray, search, recorder, |object| {
-                let mailboxes = mailboxes.get_or_insert_with(of_ray);
                 mailboxes.is_first(object.0 as usize)
             });
         } else {

@@ -14,18 +14,57 @@ thread_local! {
     static LAST_RAY: Cell<u32> = const { Cell::new(0) };
 }
 
-/// The mailboxes of all objects, for one ray.
+/// Which objects were tested against a ray?
 #[derive(Debug)]
 pub(super) struct Mailboxes {
+    /// How many objects there are.
+    objects: usize,
+    /// The object that was tested first: most rays come to no other, and need no mailbox for it.
+    first: Option<usize>,
+    others: Option<Stamps>,
+}
+
+impl Mailboxes {
+    /// Those of a new ray, among so many objects.
+    #[inline]
+    pub(super) fn for_ray(objects: usize) -> Self {
+        Self {
+            objects,
+            first: None,
+            others: None,
+        }
+    }
+
+    /// Is this the first time that the ray comes to this object?
+    #[inline]
+    pub(super) fn is_first(&mut self, object: usize) -> bool {
+        match self.first {
+            None => {
+                self.first = Some(object);
+                true
+            }
+            Some(first) => first != object && self.is_first_of_others(object),
+        }
+    }
+
+    #[inline(never)]
+    fn is_first_of_others(&mut self, object: usize) -> bool {
+        let stamps = || Stamps::for_ray(self.objects);
+        self.others.get_or_insert_with(stamps).is_first(object)
+    }
+}
+
+/// The mailboxes of all objects, for one ray.
+#[derive(Debug)]
+struct Stamps {
     /// By object, the number of the last ray that was tested against it.
     stamps: Vec<u32>,
     ray: u32,
 }
 
-impl Mailboxes {
+impl Stamps {
     /// Those of this thread, for a new ray and so many objects. Nothing is cleared for it.
-    #[inline]
-    pub(super) fn for_ray(objects: usize) -> Self {
+    fn for_ray(objects: usize) -> Self {
         let mut stamps = OF_THREAD.take();
         let ray = LAST_RAY.get().wrapping_add(1);
         if ray == 0 {
@@ -40,9 +79,8 @@ impl Mailboxes {
         Self { stamps, ray }
     }
 
-    /// Is this the first time that the ray comes to this object?
-    #[inline]
-    pub(super) fn is_first(&mut self, object: usize) -> bool {
+    /// Is the object's stamp not yet that of the ray? It is from now on.
+    fn is_first(&mut self, object: usize) -> bool {
         let stamp = &mut self.stamps[object];
         let first = *stamp != self.ray;
         *stamp = self.ray;
@@ -50,7 +88,7 @@ impl Mailboxes {
     }
 }
 
-impl Drop for Mailboxes {
+impl Drop for Stamps {
     #[inline]
     fn drop(&mut self) {
         OF_THREAD.set(std::mem::take(&mut self.stamps));
@@ -65,17 +103,26 @@ mod tests {
     fn an_object_is_new_once_for_each_ray() {
         for _ in 0..3 {
             let mut mailboxes = Mailboxes::for_ray(4);
-            assert!(mailboxes.is_first(2));
-            assert!(!mailboxes.is_first(2));
-            assert!(mailboxes.is_first(3));
+            for (object, is_first) in [
+                (2, true),
+                (2, false),
+                (3, true),
+                (2, false),
+                (0, true),
+                (3, false),
+                (2, false),
+                (0, false),
+            ] {
+                assert_eq!(mailboxes.is_first(object), is_first, "{object}");
+            }
         }
     }
 
     #[test]
     fn after_the_last_number_no_old_stamp_is_taken_for_a_new_one() {
         LAST_RAY.set(0);
-        assert!(Mailboxes::for_ray(1).is_first(0));
+        assert!(Stamps::for_ray(1).is_first(0));
         LAST_RAY.set(u32::MAX);
-        assert!(Mailboxes::for_ray(1).is_first(0));
+        assert!(Stamps::for_ray(1).is_first(0));
     }
 }
