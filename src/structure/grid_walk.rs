@@ -29,8 +29,10 @@ pub struct GridWalk<'g> {
     /// All planes of the grid.
     planes: &'g [f64],
     axes: [AxisWalk; 3],
-    /// t of the next plane; infinite if the ray does not move along this axis, no number if 1/Δ is none.
+    /// t of the next plane across each axis; infinite if the ray does not move along it, no number if 1/Δ is none.
     next: [f64; 3],
+    /// t of the plane behind that one, at hand before it is asked for; anything where there is none.
+    after: [f64; 3],
     /// The number of the cell that comes next.
     number: usize,
     /// Where the ray enters it.
@@ -76,6 +78,7 @@ impl<'g> GridWalk<'g> {
             planes: cells.all(),
             axes: [AxisWalk::default(); 3],
             next: [f64::INFINITY; 3],
+            after: [f64::INFINITY; 3],
             number: 0,
             t_in: 0.0,
             max: range.max,
@@ -107,7 +110,8 @@ impl<'g> GridWalk<'g> {
                 to_cell: one_way(strides[axis]),
             };
             if direction != 0.0 {
-                walk.next[axis] = of.meets_next(walk.planes, first.t);
+                walk.next[axis] = not_before(first.t, of.meets_next(walk.planes));
+                walk.after[axis] = of.meets_after(walk.planes);
             }
         }
         walk
@@ -168,9 +172,10 @@ impl<'g> GridWalk<'g> {
             self.done = true;
             return;
         }
-        of.plane = of.plane.wrapping_add(of.to_plane);
+        self.next[axis] = not_before(t, self.after[axis]);
         self.number = self.number.wrapping_add(of.to_cell);
-        self.next[axis] = of.meets_next(self.planes, t);
+        of.plane = of.plane.wrapping_add(of.to_plane);
+        self.after[axis] = of.meets_after(self.planes);
     }
 
     /// The step where two planes are about equally near, or where the range ends about here.
@@ -253,10 +258,22 @@ impl AxisWalk {
         }
     }
 
-    /// t of the next plane, from the plane itself; not below the t that the walk has come to.
+    /// t of the next plane, from the plane itself.
     #[inline]
-    fn meets_next(&self, planes: &[f64], t: f64) -> f64 {
-        not_before(t, (planes[self.plane] - self.origin) * self.inverse)
+    fn meets_next(&self, planes: &[f64]) -> f64 {
+        self.meets(planes, self.plane)
+    }
+
+    /// t of the plane behind that one.
+    #[inline]
+    fn meets_after(&self, planes: &[f64]) -> f64 {
+        self.meets(planes, self.plane.wrapping_add(self.to_plane))
+    }
+
+    #[inline]
+    fn meets(&self, planes: &[f64], plane: usize) -> f64 {
+        let t = |plane| (plane - self.origin) * self.inverse;
+        planes.get(plane).copied().map_or(f64::INFINITY, t)
     }
 }
 

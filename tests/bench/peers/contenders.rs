@@ -90,12 +90,15 @@ pub(crate) fn contenders<'a>(objects: &'a Objects, scene: &'a Scene) -> Vec<Cont
 fn of_raystep(scene: &Scene) -> Vec<Contender<'_>> {
     let axes = &SlabSet::AXES;
     let seven = &SlabSet::SEVEN;
-    let grid = |mailboxes| {
-        let options = GridOptions {
-            mailboxes,
-            ..GridOptions::default()
-        };
-        move || UniformGrid::new(scene, &options).expect("a grid")
+    let grid = |options: GridOptions| move || UniformGrid::new(scene, &options).expect("a grid");
+    let without = GridOptions {
+        mailboxes: false,
+        ..GridOptions::default()
+    };
+    // a sphere's test costs less than the steps through small cells
+    let coarse = GridOptions {
+        density: 1.0,
+        ..GridOptions::default()
     };
     let all = usize::MAX;
     vec![
@@ -114,8 +117,9 @@ fn of_raystep(scene: &Scene) -> Vec<Contender<'_>> {
         ours("  with a heap", all, || {
             HeapOrdered::new(scene, axes, Build::SurfaceArea)
         }),
-        ours("grid", all, grid(true)),
-        ours("  no mailboxes", all, grid(false)),
+        ours("grid", all, grid(GridOptions::default())),
+        ours("  no mailboxes", all, grid(without)),
+        ours("  a cell each", all, grid(coarse)),
     ]
 }
 
