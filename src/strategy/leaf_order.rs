@@ -192,8 +192,6 @@ impl Listed {
     }
 
     /// Do a few products settle that the ray misses the object? `false` says nothing.
-    ///
-    /// Asked only where nobody follows: what is recorded is the whole test.
     #[inline]
     fn is_clearly_missed(&self, ray: &Ray) -> bool {
         match self {

@@ -21,6 +21,7 @@ pub(super) struct Mailboxes {
     objects: usize,
     /// The object that was tested first: most rays come to no other, and need no mailbox for it.
     first: Option<usize>,
+    /// The mailboxes, once there is another.
     others: Option<Stamps>,
 }
 
@@ -47,6 +48,7 @@ impl Mailboxes {
         }
     }
 
+    // apart: few rays come here, and the walk stays small
     #[inline(never)]
     fn is_first_of_others(&mut self, object: usize) -> bool {
         let stamps = || Stamps::for_ray(self.objects);

@@ -150,8 +150,8 @@ impl<'g> GridWalk<'g> {
         let (of_two, other) = if y < x { (y, x) } else { (x, y) };
         let (t, third) = if z < of_two { (z, of_two) } else { (of_two, z) };
         let axis = if z < of_two { 2 } else { usize::from(y < x) };
-        let after = just_after(t);
-        let leaving = if after < other && after < third && after < self.max {
+        let later = just_after(t);
+        let leaving = if later < other && later < third && later < self.max {
             self.cross(axis, t);
             Leaving {
                 t,
@@ -270,6 +270,7 @@ impl AxisWalk {
         self.meets(planes, self.plane.wrapping_add(self.to_plane))
     }
 
+    /// t = (pᵢ − o)/Δ of the plane in this place; infinite where there is none.
     #[inline]
     fn meets(&self, planes: &[f64], plane: usize) -> f64 {
         let t = |plane| (plane - self.origin) * self.inverse;

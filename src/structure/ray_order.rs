@@ -82,13 +82,13 @@ pub(super) const TINY: f64 = 1e-290;
 /// Does t come before the other for certain? Infinite values that would need a closer look are not certain.
 #[inline]
 pub(super) fn clearly_before(t: f64, other: f64) -> bool {
-    t + MARGIN * t.abs() + TINY < other
+    just_after(t) < other
 }
 
-/// What comes after this comes after t for certain, where t is not negative.
+/// What comes after this comes after t for certain.
 #[inline]
 pub(super) fn just_after(t: f64) -> f64 {
-    (1.0 + MARGIN) * t + TINY
+    t + MARGIN * t.abs() + TINY
 }
 
 #[cfg(test)]
