@@ -10,24 +10,24 @@ use crate::trace::name_table::NameTable;
 use crate::trace::scanner::Scanner;
 use crate::trace::{Kind, Record};
 
-/// The record that a line holds, if each of its bytes is where the writer puts it.
+/// Fills in the record that a line holds, if each of its bytes is where the writer puts it.
+///
+/// Else it gives `None`, and what the record holds means nothing.
 #[inline]
-pub(super) fn scan_event(line: &[u8], names: &NameTable) -> Option<Record> {
+pub(super) fn scan_event(line: &[u8], names: &NameTable, record: &mut Record) -> Option<()> {
     let mut scanner = Scanner::new(std::str::from_utf8(line).ok()?);
     if !scanner.take("{\"kind\":") {
         return None;
     }
-    let mut record = blank(Kind::named(scanner.plain_text()?)?);
+    *record = blank(Kind::named(scanner.plain_text()?)?);
     let mut scan = LineScanner {
         names,
         scanner,
         failed: false,
     };
     record.fields(&mut scan);
-    if scan.failed || !scan.scanner.take("}") || !scan.scanner.is_at_end() {
-        return None;
-    }
-    Some(record)
+    let is_whole = !scan.failed && scan.scanner.take("}") && scan.scanner.is_at_end();
+    is_whole.then_some(())
 }
 
 /// Takes field after field; once one is not as expected, nothing more counts.
@@ -211,13 +211,18 @@ mod tests {
         records().iter().map(line).collect()
     }
 
+    fn scanned(line: &[u8], names: &NameTable) -> Option<Record> {
+        let mut record = blank(Kind::Ray);
+        scan_event(line, names, &mut record).map(|()| record)
+    }
+
     #[test]
     fn every_line_of_the_writer_is_read_straight_through() {
         let scene = scene();
         let table = NameTable::new(&scene);
         for line in lines(&scene) {
             let text = String::from_utf8_lossy(&line);
-            let scanned = scan_event(&line, &table);
+            let scanned = scanned(&line, &table);
             assert!(scanned.is_some(), "{text}");
             assert_eq!(scanned, read_event(&line, &table).ok(), "{text}");
         }
@@ -237,7 +242,7 @@ mod tests {
                     let mut longer = line.clone();
                     longer.insert(at, byte);
                     for line in [changed, longer] {
-                        let Some(scanned) = scan_event(&line, &table) else {
+                        let Some(scanned) = scanned(&line, &table) else {
                             continue;
                         };
                         taken += 1;

@@ -5,13 +5,13 @@ use std::io::BufRead;
 use crate::scene::file::ObjectFile;
 use crate::scene::{Scene, SceneFile};
 use crate::trace::limits::Limits;
-use crate::trace::line_reader::{Damage, parse_event};
+use crate::trace::line_reader::{Damage, blank, parse_event};
 use crate::trace::log_lines::LogLines;
 use crate::trace::log_writer::{Header, LOG_VERSION, ObjectLine};
 use crate::trace::name_table::NameTable;
 use crate::trace::path_sieve::keep_paths_behind;
 use crate::trace::recorder::{Numbering, Place};
-use crate::trace::{Event, LogError, PathSieve, Record, Region, Settings, Sink};
+use crate::trace::{Event, Kind, LogError, PathSieve, Record, Region, Settings, Sink};
 
 /// A log that is being read.
 #[derive(Debug)]
@@ -81,18 +81,25 @@ impl<R: BufRead> LogReader<R> {
     /// # Errors
     /// A damaged line, with its number and what is wrong in it.
     pub fn next_record(&mut self) -> Result<Option<Record>, LogError> {
+        let mut record = blank(Kind::Pixel);
+        Ok(self.read_into(&mut record)?.then_some(record))
+    }
+
+    /// Fills in the next record; `false` at the end.
+    #[inline]
+    fn read_into(&mut self, record: &mut Record) -> Result<bool, LogError> {
         let Some(line) = self.lines.next()? else {
-            return Ok(None);
+            return Ok(false);
         };
-        let record = parse_event(line, &self.names).and_then(|record| {
-            self.limits.check(&record)?;
-            if let Some(numbering) = &mut self.numbering {
-                out_of_place(&record, &numbering.place(&record.event))?;
+        let read = parse_event(line, &self.names, record).and_then(|()| {
+            self.limits.check(record)?;
+            match &mut self.numbering {
+                Some(numbering) => out_of_place(record, &numbering.place(&record.event)),
+                None => Ok(()),
             }
-            Ok(record)
         });
-        match record {
-            Ok(record) => Ok(Some(record)),
+        match read {
+            Ok(()) => Ok(true),
             Err(damage) => Err(self.lines.damaged(damage)),
         }
     }
@@ -113,7 +120,8 @@ impl<R: BufRead> LogReader<R> {
             Some(Region::pixel(pixel)),
             Vec::new(),
         );
-        while let Some(record) = self.next_record()? {
+        let mut record = blank(Kind::Pixel);
+        while self.read_into(&mut record)? {
             if record.pixel.is_none_or(|of| of == pixel) {
                 sieve.record(&record);
             }
