@@ -121,8 +121,8 @@ struct Whole {
     events: usize,
 }
 
-/// How many events it has: the lines of its objects are few beside them.
-const MANY: u64 = 200_000;
+/// How many events it has: the lines of its objects are few beside them, and pixels enough for all threads.
+const MANY: u64 = 1_000_000;
 
 impl Whole {
     fn of(name: &str) -> Self {
