@@ -91,13 +91,13 @@ impl Inside {
 
 /// The larger of two numbers: one instruction, unlike `f64::max`, which must look out for NaN.
 #[inline]
-fn larger(a: f64, b: f64) -> f64 {
+pub(super) fn larger(a: f64, b: f64) -> f64 {
     if a < b { b } else { a }
 }
 
 /// The smaller of two numbers.
 #[inline]
-fn smaller(a: f64, b: f64) -> f64 {
+pub(super) fn smaller(a: f64, b: f64) -> f64 {
     if b < a { b } else { a }
 }
 

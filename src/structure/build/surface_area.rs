@@ -175,7 +175,7 @@ struct Cut {
 /// Which bin an object belongs to, along each axis.
 struct Binning {
     /// How many bins there are along each axis.
-    count: usize,
+    count: u32,
     low: DVec3,
     /// Bins for each unit of a doubled center; 0 where all centers agree.
     scale: DVec3,
@@ -185,20 +185,16 @@ impl Binning {
     /// The bins from the lowest to the highest of the centers. Few objects need few: twice as many as there
     /// are objects tell nearly all of them apart.
     fn new(items: &[Item]) -> Self {
-        let (mut low, mut high) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
-        for item in items {
-            let center = item.solid.doubled_center();
-            low = low.min(center);
-            high = high.max(center);
-        }
-        let count = BINS.min(2 * items.len());
-        let scale = (high - low).to_array().map(|side| {
-            let scale = count as f64 / side;
+        let centers = items.iter().map(|item| item.solid.doubled_center());
+        let Solid { min, max } = Solid::around_points(centers);
+        let count = BINS.min(2 * items.len()) as u32;
+        let scale = (max - min).to_array().map(|side| {
+            let scale = f64::from(count) / side;
             if scale.is_finite() { scale } else { 0.0 }
         });
         Self {
             count,
-            low,
+            low: min,
             scale: scale.into(),
         }
     }
@@ -206,14 +202,8 @@ impl Binning {
     /// Along one axis.
     #[inline]
     fn along(&self, axis: usize, item: &Item) -> usize {
-        self.of(item)[axis]
-    }
-
-    #[inline]
-    fn of(&self, item: &Item) -> [usize; 3] {
-        let place = (item.solid.doubled_center() - self.low) * self.scale;
-        let last = self.count - 1;
-        place.to_array().map(|p| (p as usize).min(last))
+        let place = (item.solid.doubled_center()[axis] - self.low[axis]) * self.scale[axis];
+        (place as u32).min(self.count - 1) as usize
     }
 }
 
@@ -221,7 +211,7 @@ impl Binning {
 #[derive(Clone, Copy)]
 struct Bin {
     solid: Solid,
-    count: usize,
+    count: u32,
 }
 
 impl Bin {
@@ -236,10 +226,13 @@ impl Bin {
         self.count += other.count;
     }
 
-    /// A·n, and 0 of nothing.
+    /// A·n; infinite of nothing, for that is no half.
     #[inline]
     fn cost(&self) -> f64 {
-        self.solid.half_area() * self.count as f64
+        if self.count == 0 {
+            return f64::INFINITY;
+        }
+        self.solid.half_area() * f64::from(self.count)
     }
 }
 
@@ -247,46 +240,46 @@ impl Bin {
 fn best_cut(items: &[Item], bins: &Binning) -> Option<Cut> {
     let mut filled = [[Bin::EMPTY; BINS]; 3];
     for item in items {
-        for (axis, bin) in bins.of(item).into_iter().enumerate() {
-            let one = Bin {
+        for (axis, filled) in filled.iter_mut().enumerate() {
+            filled[bins.along(axis, item)].add(&Bin {
                 solid: item.solid,
                 count: 1,
-            };
-            filled[axis][bin].add(&one);
+            });
         }
     }
-    let mut best: Option<Cut> = None;
+    let mut least = f64::INFINITY;
+    let mut place = None;
     for (axis, filled) in filled.iter().enumerate() {
-        let filled = &filled[..bins.count];
-        // what lies behind each bin, from the last one down
-        let mut behind = [Bin::EMPTY; BINS];
-        for bin in (1..bins.count).rev() {
-            behind[bin - 1] = behind[bin];
-            behind[bin - 1].add(&filled[bin]);
+        let filled = &filled[..bins.count as usize];
+        // A₂·n₂ of what lies behind each bin, from the last one down
+        let mut behind = [f64::INFINITY; BINS];
+        let mut sum = Bin::EMPTY;
+        for (bin, of) in filled.iter().enumerate().skip(1).rev() {
+            sum.add(of);
+            behind[bin - 1] = sum.cost();
         }
-        let mut before = Bin::EMPTY;
-        for (bin, of) in filled.iter().enumerate() {
-            if of.count == 0 {
-                continue;
-            }
-            before.add(of);
-            let behind = &behind[bin];
-            if behind.count == 0 {
-                break;
-            }
-            let cost = before.cost() + behind.cost();
-            if best.as_ref().is_none_or(|best| cost < best.cost) {
-                let solids = [before.solid, behind.solid];
-                best = Some(Cut {
-                    cost,
-                    axis,
-                    bin,
-                    solids,
-                });
+        let mut sum = Bin::EMPTY;
+        for (bin, (of, behind)) in filled.iter().zip(behind).enumerate() {
+            sum.add(of);
+            let cost = sum.cost() + behind;
+            if cost < least {
+                least = cost;
+                place = Some((axis, bin));
             }
         }
     }
-    best
+    let (axis, bin) = place?;
+    let (before, behind) = filled[axis].split_at(bin + 1);
+    let solid = |bins: &[Bin]| {
+        let join = |sum: Solid, bin: &Bin| sum.union(&bin.solid);
+        bins.iter().fold(Solid::EMPTY, join)
+    };
+    Some(Cut {
+        cost: least,
+        axis,
+        bin,
+        solids: [solid(before), solid(behind)],
+    })
 }
 
 /// Moves the items for which it is true to the front and counts them.
