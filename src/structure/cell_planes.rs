@@ -7,12 +7,28 @@ use glam::DVec3;
 /// The f64 values of the planes *are* the grid: whatever is decided about a cell is decided by them.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct CellPlanes {
-    /// Cells along x, y and z.
-    resolution: [u32; 3],
-    /// The planes across x, then those across y, then those across z, each rising.
+    /// The planes across x, then those across y, then those across z, each rising; behind each axis' planes one at ∞,
+    /// and one at −∞ before: so a walk that looks one plane too far finds one that it never meets.
     planes: Vec<f64>,
+    /// Along x, y and z.
+    axes: [CellsAlong; 3],
+}
+
+/// The cells along an axis.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(crate) struct CellsAlong {
+    /// How many.
+    pub(crate) count: u32,
+    /// By how much a cell's number grows from one cell to the next.
+    pub(crate) stride: usize,
+    /// The place of the lowest plane among all planes.
+    pub(crate) first_plane: usize,
+    /// The lowest plane.
+    pub(crate) low: f64,
+    /// The highest plane.
+    pub(crate) high: f64,
     /// Cells for each unit of length.
-    per_unit: [f64; 3],
+    pub(crate) per_unit: f64,
 }
 
 impl CellPlanes {
@@ -21,19 +37,25 @@ impl CellPlanes {
     /// The planes of an axis rise strictly if it has at most [`CellPlanes::most_along`] cells.
     pub(crate) fn new(min: DVec3, max: DVec3, resolution: [u32; 3]) -> Self {
         let mut planes = Vec::new();
-        let mut per_unit = [0.0; 3];
-        for axis in 0..3 {
+        let mut axes = [CellsAlong::default(); 3];
+        let mut stride = 1;
+        for (axis, along) in axes.iter_mut().enumerate() {
             let (low, high, n) = (min[axis], max[axis], resolution[axis]);
             let side = high - low;
+            planes.push(f64::NEG_INFINITY);
+            *along = CellsAlong {
+                count: n,
+                stride,
+                first_plane: planes.len(),
+                low,
+                high,
+                per_unit: f64::from(n) / side,
+            };
             planes.extend((0..n).map(|i| low + side * (f64::from(i) / f64::from(n))));
-            planes.push(high);
-            per_unit[axis] = f64::from(n) / side;
+            planes.extend([high, f64::INFINITY]);
+            stride *= n as usize;
         }
-        Self {
-            resolution,
-            planes,
-            per_unit,
-        }
+        Self { planes, axes }
     }
 
     /// How many cells at most lie between two coordinates, so that each is many roundings wide.
@@ -46,68 +68,57 @@ impl CellPlanes {
     /// Cells along x, y and z.
     #[inline]
     pub(crate) fn resolution(&self) -> [u32; 3] {
-        self.resolution
+        self.axes.map(|along| along.count)
     }
 
-    /// The planes of all axes, one axis after the other.
+    /// The cells along x, y and z.
     #[inline]
-    pub(crate) fn all(&self) -> &[f64] {
-        &self.planes
+    pub(crate) fn along(&self) -> &[CellsAlong; 3] {
+        &self.axes
     }
 
-    /// Where the planes of an axis begin in [`CellPlanes::all`].
+    /// The plane in this place among all.
     #[inline]
-    pub(crate) fn first(&self, axis: usize) -> usize {
-        // n cells have n + 1 planes
-        self.resolution[..axis]
-            .iter()
-            .map(|&n| n as usize + 1)
-            .sum()
+    pub(crate) fn plane(&self, place: usize) -> f64 {
+        self.planes[place]
     }
 
     /// The planes across an axis; none if there are no cells.
-    #[inline]
     pub(crate) fn axis(&self, axis: usize) -> &[f64] {
-        if self.planes.is_empty() {
+        if self.is_empty() {
             return &[];
         }
-        let first = self.first(axis);
-        &self.planes[first..=first + self.resolution[axis] as usize]
+        let along = &self.axes[axis];
+        &self.planes[along.first_plane..=along.last_plane()]
+    }
+
+    /// Are there no cells?
+    #[inline]
+    pub(crate) fn is_empty(&self) -> bool {
+        self.planes.is_empty()
     }
 
     /// How many cells there are.
-    #[inline]
     pub(crate) fn count(&self) -> usize {
-        self.resolution.iter().map(|&n| n as usize).product()
+        self.axes.iter().map(|along| along.count as usize).product()
     }
 
-    /// By how much a cell's number grows from one cell to the next along x, y and z.
-    #[inline]
-    pub(crate) fn strides(&self) -> [usize; 3] {
-        let [nx, ny, _] = self.resolution.map(|n| n as usize);
-        [1, nx, nx * ny]
+    /// How much memory the planes take, in bytes.
+    pub(crate) fn bytes(&self) -> usize {
+        size_of_val(self.planes.as_slice())
     }
 
     /// The number of cell (i, j, k): i + nx·(j + ny·k).
     #[inline]
     pub(crate) fn number(&self, [i, j, k]: [u32; 3]) -> usize {
-        let [nx, ny, _] = self.resolution.map(|n| n as usize);
-        i as usize + nx * (j as usize + ny * k as usize)
+        let [x, y, z] = &self.axes;
+        i as usize * x.stride + j as usize * y.stride + k as usize * z.stride
     }
 
     /// The cell (i, j, k) with a number.
     pub(crate) fn cell(&self, number: usize) -> [u32; 3] {
-        let [nx, ny, _] = self.resolution.map(|n| n as usize);
-        [number % nx, number / nx % ny, number / nx / ny].map(|at| at as u32)
-    }
-
-    /// About which cell along an axis a coordinate lies in; the first or the last if it lies outside.
-    #[inline]
-    pub(crate) fn near(&self, axis: usize, x: f64) -> usize {
-        let low = self.planes[self.first(axis)];
-        // a conversion to whole numbers cuts off what does not fit
-        let at = ((x - low) * self.per_unit[axis]) as u32;
-        at.min(self.resolution[axis] - 1) as usize
+        self.axes
+            .map(|along| (number / along.stride % along.count as usize) as u32)
     }
 
     /// The first and the last cell along an axis that [low, high] touches; a plane belongs to both sides.
@@ -115,14 +126,14 @@ impl CellPlanes {
     pub(crate) fn touched(&self, axis: usize, [low, high]: [f64; 2]) -> [u32; 2] {
         let planes = self.axis(axis);
         let last_cell = planes.len() - 2;
-        let mut first = self.near(axis, low);
+        let mut first = self.axes[axis].near(low);
         while 0 < first && low <= planes[first] {
             first -= 1;
         }
         while first < last_cell && planes[first + 1] < low {
             first += 1;
         }
-        let mut last = self.near(axis, high).max(first);
+        let mut last = self.axes[axis].near(high).max(first);
         while first < last && high < planes[last] {
             last -= 1;
         }
@@ -130,6 +141,26 @@ impl CellPlanes {
             last += 1;
         }
         [first as u32, last as u32]
+    }
+}
+
+impl CellsAlong {
+    /// The place of the highest plane among all planes: n cells have n + 1.
+    #[inline]
+    pub(crate) fn last_plane(&self) -> usize {
+        self.first_plane + self.count as usize
+    }
+
+    /// About which cell a coordinate lies in; the first or the last if it lies outside.
+    pub(crate) fn near(&self, x: f64) -> usize {
+        self.cell_at((x - self.low) * self.per_unit)
+    }
+
+    /// The cell so many cells' sides above the lowest plane; the first or the last if that is outside.
+    #[inline]
+    pub(crate) fn cell_at(&self, sides: f64) -> usize {
+        // a conversion to whole numbers cuts off what does not fit
+        (sides as u32).min(self.count - 1) as usize
     }
 }
 

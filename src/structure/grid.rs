@@ -228,7 +228,7 @@ impl Grid {
 
     /// How much memory the planes and the lists take, in bytes.
     pub fn bytes(&self) -> usize {
-        size_of_val(self.cells.all()) + self.lists.bytes()
+        self.cells.bytes() + self.lists.bytes()
     }
 }
 

@@ -2,110 +2,77 @@
 
 use std::cmp::Ordering;
 
+use glam::DVec3;
+
 use crate::geometry::{Ray, TRange};
-use crate::structure::cell_planes::CellPlanes;
+use crate::structure::cell_planes::{CellPlanes, CellsAlong};
 use crate::structure::ray_order::{Meeting, clearly_before};
+use crate::structure::slab_bound::{larger, smaller};
 
 /// The first cell that a ray pierces in its range.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Start {
     /// i, j and k.
-    pub(super) cell: [u32; 3],
+    pub(super) cell: [usize; 3],
     /// Where the ray enters it, or where its range begins inside it.
     pub(super) t: f64,
 }
 
-/// Which cell does the ray pierce first, within its range? `None` if it pierces none.
+/// What plain arithmetic says of the first cell.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Guess {
+    /// About this one.
+    Cell(Start),
+    /// There is none, for certain.
+    PassesBy,
+    /// Something is too near to something else.
+    Unsure,
+}
+
+/// About which cell the ray pierces first. `inverse` is 1/Δ, with all its digits along each axis.
+#[inline]
+pub(super) fn guess(cells: &CellPlanes, ray: &Ray, inverse: DVec3, range: TRange) -> Guess {
+    let [x, y, z] = cells.along();
+    let at_low = (DVec3::new(x.low, y.low, z.low) - ray.origin) * inverse;
+    let at_high = (DVec3::new(x.high, y.high, z.high) - ray.origin) * inverse;
+    let begin = larger(
+        larger(smaller(at_low.x, at_high.x), smaller(at_low.y, at_high.y)),
+        larger(smaller(at_low.z, at_high.z), larger(range.min, 0.0)),
+    );
+    let end = smaller(
+        smaller(larger(at_low.x, at_high.x), larger(at_low.y, at_high.y)),
+        smaller(larger(at_low.z, at_high.z), range.max),
+    );
+    if clearly_before(begin, end) {
+        let at = |along: &CellsAlong, origin: f64, direction: f64| {
+            // what does not depend on t₀ is at hand before it is
+            let per_unit = along.per_unit;
+            along.cell_at((origin - along.low) * per_unit + begin * (direction * per_unit))
+        };
+        let (origin, direction) = (ray.origin, ray.direction);
+        Guess::Cell(Start {
+            cell: [
+                at(x, origin.x, direction.x),
+                at(y, origin.y, direction.y),
+                at(z, origin.z, direction.z),
+            ],
+            t: begin,
+        })
+    } else if clearly_before(end, begin) {
+        Guess::PassesBy
+    } else {
+        Guess::Unsure
+    }
+}
+
+/// The first cell, every comparison without rounding.
 ///
 /// It begins at t₀, the largest of `range.min` and of the t at which the ray comes in between the outer
 /// planes of each axis. Along an axis in which the ray moves, the first cell is the one whose far plane is the
 /// first one met *after* t₀: so a ray that runs down from a plane starts in the cell below, and one that
 /// only touches the grid in a point has no first cell. Along an axis in which it does not move, the cell owns
 /// its lower plane, and the last cell both.
-///
-/// `inverse` is 1/Δ along each axis, or no number.
-#[inline]
-pub(super) fn start(
-    cells: &CellPlanes,
-    ray: &Ray,
-    inverse: [f64; 3],
-    range: TRange,
-) -> Option<Start> {
-    if cells.count() == 0 {
-        return None;
-    }
-    match plain_start(cells, ray, inverse, range) {
-        Plain::Cell(start) => Some(start),
-        Plain::PassesBy => None,
-        Plain::Unsure => exact_start(cells, ray, range),
-    }
-}
-
-/// What f64 says of the first cell.
-enum Plain {
-    /// It is this one.
-    Cell(Start),
-    /// There is none.
-    PassesBy,
-    /// Something is too near to something else, or the ray does not move along an axis.
-    Unsure,
-}
-
-/// The first cell by plain arithmetic, if that leaves no doubt.
-///
-/// It does not where the two t of a comparison are not clearly one before the other: [`exact_start`] then
-/// decides. Nearly every ray is spared that.
-#[inline]
-fn plain_start(cells: &CellPlanes, ray: &Ray, inverse: [f64; 3], range: TRange) -> Plain {
-    // what is no number is left out of the comparisons, and asked for where one of them has settled something
-    let is_unsure = || inverse.iter().any(|inverse| inverse.is_nan());
-    let (mut begin, mut end) = (range.min.max(0.0), range.max);
-    for (axis, inverse) in inverse.iter().enumerate() {
-        let planes = cells.axis(axis);
-        let t = |plane: f64| (plane - ray.origin[axis]) * inverse;
-        let (at_low, at_high) = (t(planes[0]), t(planes[planes.len() - 1]));
-        let (near, far) = if at_low < at_high {
-            (at_low, at_high)
-        } else {
-            (at_high, at_low)
-        };
-        begin = if begin < near { near } else { begin };
-        end = if far < end { far } else { end };
-    }
-    if !clearly_before(begin, end) {
-        return if clearly_before(end, begin) && !is_unsure() {
-            Plain::PassesBy
-        } else {
-            Plain::Unsure
-        };
-    }
-    let mut cell = [0; 3];
-    let (mut entered, mut left) = (f64::MIN, f64::INFINITY);
-    for axis in 0..3 {
-        let planes = cells.axis(axis);
-        let (origin, direction) = (ray.origin[axis], ray.direction[axis]);
-        let t = |plane: f64| (plane - origin) * inverse[axis];
-        let at = cells.near(axis, origin + begin * direction);
-        // no jump depends on which way the ray goes: that cannot be foretold
-        let upwards = 0.0 < direction;
-        let [behind, ahead] = [!upwards, upwards].map(|one| t(planes[at + usize::from(one)]));
-        // the first cell behind the outer plane was entered before t₀, or there
-        let outermost = if upwards { 0 } else { planes.len() - 2 };
-        let behind = if at == outermost { f64::MIN } else { behind };
-        entered = if entered < behind { behind } else { entered };
-        left = if ahead < left { ahead } else { left };
-        cell[axis] = at as u32;
-    }
-    if clearly_before(begin, left) && clearly_before(entered, begin) && !is_unsure() {
-        Plain::Cell(Start { cell, t: begin })
-    } else {
-        Plain::Unsure
-    }
-}
-
-/// The first cell, every comparison without rounding.
-#[cold]
-fn exact_start(cells: &CellPlanes, ray: &Ray, range: TRange) -> Option<Start> {
+pub(super) fn exact_start(cells: &CellPlanes, ray: &Ray, range: TRange) -> Option<Start> {
     let mut begin = Meeting::at(range.min.max(0.0));
     for axis in 0..3 {
         let (origin, direction) = (ray.origin[axis], ray.direction[axis]);
@@ -139,7 +106,7 @@ fn exact_start(cells: &CellPlanes, ray: &Ray, range: TRange) -> Option<Start> {
         } else {
             moving_cell(cells, axis, ray, &begin)?
         };
-        *of_cell = place as u32;
+        *of_cell = place;
     }
     Some(Start { cell, t: begin.t() })
 }
@@ -147,7 +114,7 @@ fn exact_start(cells: &CellPlanes, ray: &Ray, range: TRange) -> Option<Start> {
 /// The cell [pᵢ, pᵢ₊₁) that a coordinate between the outer planes lies in; the last one has both its planes.
 fn standing_cell(cells: &CellPlanes, axis: usize, x: f64) -> usize {
     let planes = cells.axis(axis);
-    let guess = cells.near(axis, x);
+    let guess = cells.along()[axis].near(x);
     if planes[guess] <= x && x < planes[guess + 1] {
         return guess;
     }
@@ -168,7 +135,7 @@ fn moving_cell(cells: &CellPlanes, axis: usize, ray: &Ray, begin: &Meeting) -> O
         meeting.order(begin) == Ordering::Greater
     };
     let cells_along = planes.len() - 1;
-    let guess = cells.near(axis, origin + begin.t() * direction);
+    let guess = cells.along()[axis].near(origin + begin.t() * direction);
     // upwards plane i + 1 is the first one met after t₀, and plane i is not; downwards the other way round
     if 0.0 < direction {
         let fits = |i: usize| is_met_after(planes[i + 1]) && (i == 0 || !is_met_after(planes[i]));

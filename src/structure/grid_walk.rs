@@ -17,21 +17,23 @@
 //! the sign of (p − o)·Δ′ − (p′ − o′)·Δ. A zero of either sign is no direction. The ray's coordinates may have
 //! any size that leaves their differences within f64.
 
+use glam::DVec3;
+
 use crate::geometry::{Ray, TRange};
-use crate::structure::cell_planes::CellPlanes;
-use crate::structure::grid_start::start;
-use crate::structure::ray_order::{Meeting, just_after};
+use crate::structure::cell_planes::{CellPlanes, CellsAlong};
+use crate::structure::grid_start::{Guess, Start, exact_start, guess};
+use crate::structure::ray_order::{Meeting, clearly_before, just_after};
+use crate::structure::slab_bound::{larger, smaller};
 use crate::structure::{Across, CellStep};
 
 /// A walk through a grid; an iterator over the cells that the ray pierces.
 #[derive(Clone, Debug)]
 pub struct GridWalk<'g> {
-    /// All planes of the grid.
-    planes: &'g [f64],
+    cells: &'g CellPlanes,
     axes: [AxisWalk; 3],
     /// t of the next plane across each axis; infinite if the ray does not move along it, no number if 1/Δ is none.
     next: [f64; 3],
-    /// t of the plane behind that one, at hand before it is asked for; anything where there is none.
+    /// t of the plane behind that one, at hand before it is asked for.
     after: [f64; 3],
     /// The number of the cell that comes next.
     number: usize,
@@ -51,8 +53,6 @@ struct AxisWalk {
     inverse: f64,
     /// The place of the next plane among all planes.
     plane: usize,
-    /// The place of the axis's lowest plane.
-    lowest: usize,
     /// The place of the outer plane through which the ray leaves the grid.
     last: usize,
     /// To the next plane: 1, or −1 as a wrapping number.
@@ -74,52 +74,92 @@ impl<'g> GridWalk<'g> {
     /// From the first cell that the ray pierces in its range.
     #[inline]
     pub(super) fn new(cells: &'g CellPlanes, ray: &Ray, range: TRange) -> Self {
-        let mut walk = Self {
-            planes: cells.all(),
+        if cells.is_empty() {
+            return Self::nowhere(cells);
+        }
+        let inverse = 1.0 / ray.direction;
+        if inverse.x.is_normal() && inverse.y.is_normal() && inverse.z.is_normal() {
+            match guess(cells, ray, inverse, range) {
+                Guess::Cell(start) => {
+                    let walk = Self::begun(cells, ray, inverse, start, range.max);
+                    if walk.is_clearly_begun() {
+                        return walk;
+                    }
+                }
+                Guess::PassesBy => return Self::nowhere(cells),
+                Guess::Unsure => {}
+            }
+        }
+        Self::begun_exactly(cells, ray, range)
+    }
+
+    /// From the first cell, every comparison without rounding. Nearly every ray is spared that.
+    #[cold]
+    #[inline(never)]
+    fn begun_exactly(cells: &'g CellPlanes, ray: &Ray, range: TRange) -> Self {
+        match exact_start(cells, ray, range) {
+            Some(start) => {
+                let inverse = ray.direction.map(usable_inverse);
+                Self::begun(cells, ray, inverse, start, range.max)
+            }
+            None => Self::nowhere(cells),
+        }
+    }
+
+    /// Through no cell.
+    #[inline]
+    fn nowhere(cells: &'g CellPlanes) -> Self {
+        Self {
+            cells,
             axes: [AxisWalk::default(); 3],
             next: [f64::INFINITY; 3],
             after: [f64::INFINITY; 3],
             number: 0,
             t_in: 0.0,
-            max: range.max,
+            max: 0.0,
             done: true,
-        };
-        let inverse = ray.direction.to_array().map(usable_inverse);
-        let Some(first) = start(cells, ray, inverse, range) else {
-            return walk;
-        };
-        walk.done = false;
-        walk.t_in = first.t;
-        walk.number = cells.number(first.cell);
-        let strides = cells.strides();
-        for (axis, of) in walk.axes.iter_mut().enumerate() {
-            let lowest = cells.first(axis);
-            let highest = lowest + cells.resolution()[axis] as usize;
-            let below = lowest + first.cell[axis] as usize;
-            let (origin, direction) = (ray.origin[axis], ray.direction[axis]);
-            let downwards = direction < 0.0;
-            let one_way = |by: usize| if downwards { by.wrapping_neg() } else { by };
-            *of = AxisWalk {
-                origin,
-                direction,
-                inverse: inverse[axis],
-                plane: if downwards { below } else { below + 1 },
-                lowest,
-                last: if downwards { lowest } else { highest },
-                to_plane: one_way(1),
-                to_cell: one_way(strides[axis]),
-            };
-            if direction != 0.0 {
-                walk.next[axis] = not_before(first.t, of.meets_next(walk.planes));
-                walk.after[axis] = of.meets_after(walk.planes);
-            }
         }
-        walk
+    }
+
+    /// From a cell.
+    #[inline]
+    fn begun(cells: &'g CellPlanes, ray: &Ray, inverse: DVec3, start: Start, max: f64) -> Self {
+        let (origin, direction) = (ray.origin, ray.direction);
+        let [of_x, of_y, of_z] = cells.along();
+        let [i, j, k] = start.cell;
+        let x = AxisWalk::new(of_x, i, origin.x, direction.x, inverse.x);
+        let y = AxisWalk::new(of_y, j, origin.y, direction.y, inverse.y);
+        let z = AxisWalk::new(of_z, k, origin.z, direction.z, inverse.z);
+        let t = start.t;
+        Self {
+            cells,
+            axes: [x, y, z],
+            next: [x.next(cells, t), y.next(cells, t), z.next(cells, t)],
+            after: [x.after(cells), y.after(cells), z.after(cells)],
+            number: i * of_x.stride + j * of_y.stride + k * of_z.stride,
+            t_in: t,
+            max,
+            done: false,
+        }
+    }
+
+    /// Is it beyond doubt that the ray is in the first cell by the t at which the walk begins, and leaves it later?
+    #[inline]
+    fn is_clearly_begun(&self) -> bool {
+        let [of_x, of_y, of_z] = self.cells.along();
+        let [x, y, z] = &self.axes;
+        let entered = larger(
+            larger(x.entered(of_x, self.cells), y.entered(of_y, self.cells)),
+            z.entered(of_z, self.cells),
+        );
+        let [x, y, z] = self.next;
+        let left = smaller(smaller(x, y), z);
+        clearly_before(entered, self.t_in) && clearly_before(self.t_in, left)
     }
 
     /// The cell that comes next.
     pub(crate) fn cell(&self) -> Option<[u32; 3]> {
-        (!self.done).then(|| self.axes.map(|of| of.place() as u32))
+        (!self.done).then(|| self.cells.cell(self.number))
     }
 
     /// The next cell with all that is known of it before it is left.
@@ -175,7 +215,7 @@ impl<'g> GridWalk<'g> {
         self.next[axis] = not_before(t, self.after[axis]);
         self.number = self.number.wrapping_add(of.to_cell);
         of.plane = of.plane.wrapping_add(of.to_plane);
-        self.after[axis] = of.meets_after(self.planes);
+        self.after[axis] = of.after(self.cells);
     }
 
     /// The step where two planes are about equally near, or where the range ends about here.
@@ -218,7 +258,7 @@ impl<'g> GridWalk<'g> {
     fn meeting(&self, axis: usize) -> Meeting {
         let of = &self.axes[axis];
         Meeting {
-            plane: self.planes[of.plane],
+            plane: self.cells.plane(of.plane),
             origin: of.origin,
             direction: of.direction,
         }
@@ -247,34 +287,64 @@ impl Leaving {
 }
 
 impl AxisWalk {
-    /// Which cell along the axis the next plane leads out of.
+    /// From a cell, along an axis.
     #[inline]
-    fn place(&self) -> usize {
-        let planes_below = self.plane - self.lowest;
-        if self.to_plane == 1 {
-            planes_below - 1
-        } else {
-            planes_below
+    fn new(along: &CellsAlong, at: usize, origin: f64, direction: f64, inverse: f64) -> Self {
+        let below = along.first_plane + at;
+        // no jump depends on which way the ray goes: that cannot be foretold
+        let downwards = direction < 0.0;
+        let one_way = |by: usize| if downwards { by.wrapping_neg() } else { by };
+        let last = if downwards { 0 } else { along.count as usize };
+        Self {
+            origin,
+            direction,
+            inverse,
+            plane: below + usize::from(!downwards),
+            last: along.first_plane + last,
+            to_plane: one_way(1),
+            to_cell: one_way(along.stride),
         }
     }
 
-    /// t of the next plane, from the plane itself.
+    /// t of the next plane, not before the t at which the walk begins; infinite if the ray does not move.
     #[inline]
-    fn meets_next(&self, planes: &[f64]) -> f64 {
-        self.meets(planes, self.plane)
+    fn next(&self, cells: &CellPlanes, begin: f64) -> f64 {
+        let next = not_before(begin, self.meets(cells, self.plane));
+        if self.direction == 0.0 {
+            f64::INFINITY
+        } else {
+            next
+        }
     }
 
-    /// t of the plane behind that one.
+    /// t of the plane behind the next one.
     #[inline]
-    fn meets_after(&self, planes: &[f64]) -> f64 {
-        self.meets(planes, self.plane.wrapping_add(self.to_plane))
+    fn after(&self, cells: &CellPlanes) -> f64 {
+        self.meets(cells, self.plane.wrapping_add(self.to_plane))
     }
 
-    /// t = (pᵢ − o)/Δ of the plane in this place; infinite where there is none.
+    /// t of the plane through which the ray came into the cell; long ago, if that is the outermost one, before which
+    /// no walk begins.
     #[inline]
-    fn meets(&self, planes: &[f64], plane: usize) -> f64 {
-        let t = |plane| (plane - self.origin) * self.inverse;
-        planes.get(plane).copied().map_or(f64::INFINITY, t)
+    fn entered(&self, along: &CellsAlong, cells: &CellPlanes) -> f64 {
+        let behind = self.plane.wrapping_sub(self.to_plane);
+        let outermost = if self.direction < 0.0 {
+            along.count as usize
+        } else {
+            0
+        };
+        let t = self.meets(cells, behind);
+        if behind == along.first_plane + outermost {
+            f64::MIN
+        } else {
+            t
+        }
+    }
+
+    /// t = (pᵢ − o)/Δ of the plane in this place.
+    #[inline]
+    fn meets(&self, cells: &CellPlanes, plane: usize) -> f64 {
+        (cells.plane(plane) - self.origin) * self.inverse
     }
 }
 
