@@ -323,8 +323,8 @@ impl AxisWalk {
         self.meets(cells, self.plane.wrapping_add(self.to_plane))
     }
 
-    /// t of the plane through which the ray came into the cell; long ago, if that is the outermost one, before which
-    /// no walk begins.
+    /// t of the plane through which the ray came into the cell: −∞ if that is the outermost one, before which no walk
+    /// begins.
     #[inline]
     fn entered(&self, along: &CellsAlong, cells: &CellPlanes) -> f64 {
         let behind = self.plane.wrapping_sub(self.to_plane);
@@ -333,12 +333,12 @@ impl AxisWalk {
         } else {
             0
         };
-        let t = self.meets(cells, behind);
-        if behind == along.first_plane + outermost {
-            f64::MIN
+        let place = if behind == along.first_plane + outermost {
+            behind.wrapping_sub(self.to_plane)
         } else {
-            t
-        }
+            behind
+        };
+        self.meets(cells, place)
     }
 
     /// t = (pᵢ − o)/Δ of the plane in this place.
