@@ -131,17 +131,15 @@ impl<'a> LeafOrder<'a> {
         ray: &Ray,
         mut visit: impl FnMut(&Listed) -> ControlFlow<()>,
     ) -> ControlFlow<()> {
-        for place in places {
-            let in_scene;
-            let listed = match self.copies.get(place) {
-                Some(copy) => copy,
-                None => {
-                    in_scene = Listed::InScene { id: order[place] };
-                    &in_scene
+        if self.copies.is_empty() {
+            for &id in &order[places] {
+                visit(&Listed::InScene { id })?;
+            }
+        } else {
+            for copy in &self.copies[places] {
+                if R::ENABLED || !copy.is_clearly_missed(ray) {
+                    visit(copy)?;
                 }
-            };
-            if R::ENABLED || !listed.is_clearly_missed(ray) {
-                visit(listed)?;
             }
         }
         ControlFlow::Continue(())

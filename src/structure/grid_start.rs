@@ -6,7 +6,7 @@ use glam::DVec3;
 
 use crate::geometry::{Ray, TRange};
 use crate::structure::cell_planes::{CellPlanes, CellsAlong};
-use crate::structure::ray_order::{Meeting, clearly_before};
+use crate::structure::ray_order::{Meeting, just_after};
 use crate::structure::slab_bound::{larger, smaller};
 
 /// The first cell that a ray pierces in its range.
@@ -43,7 +43,7 @@ pub(super) fn guess(cells: &CellPlanes, ray: &Ray, inverse: DVec3, range: TRange
         smaller(larger(at_low.x, at_high.x), larger(at_low.y, at_high.y)),
         smaller(larger(at_low.z, at_high.z), range.max),
     );
-    if clearly_before(begin, end) {
+    if just_after(begin) < end {
         let at = |along: &CellsAlong, origin: f64, direction: f64| {
             // what does not depend on t₀ is at hand before it is
             let per_unit = along.per_unit;
@@ -58,7 +58,7 @@ pub(super) fn guess(cells: &CellPlanes, ray: &Ray, inverse: DVec3, range: TRange
             ],
             t: begin,
         })
-    } else if clearly_before(end, begin) {
+    } else if just_after(end) < begin {
         Guess::PassesBy
     } else {
         Guess::Unsure

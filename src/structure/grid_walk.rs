@@ -22,7 +22,7 @@ use glam::DVec3;
 use crate::geometry::{Ray, TRange};
 use crate::structure::cell_planes::{CellPlanes, CellsAlong};
 use crate::structure::grid_start::{Guess, Start, exact_start, guess};
-use crate::structure::ray_order::{Meeting, clearly_before, just_after};
+use crate::structure::ray_order::{Meeting, just_after};
 use crate::structure::slab_bound::{larger, smaller};
 use crate::structure::{Across, CellStep};
 
@@ -78,7 +78,7 @@ impl<'g> GridWalk<'g> {
             return Self::nowhere(cells);
         }
         let inverse = 1.0 / ray.direction;
-        if inverse.x.is_normal() && inverse.y.is_normal() && inverse.z.is_normal() {
+        if are_usable(inverse) {
             match guess(cells, ray, inverse, range) {
                 Guess::Cell(start) => {
                     let walk = Self::begun(cells, ray, inverse, start, range.max);
@@ -100,7 +100,16 @@ impl<'g> GridWalk<'g> {
         match exact_start(cells, ray, range) {
             Some(start) => {
                 let inverse = ray.direction.map(usable_inverse);
-                Self::begun(cells, ray, inverse, start, range.max)
+                let mut walk = Self::begun(cells, ray, inverse, start, range.max);
+                // what a ray that leaves no doubt is spared
+                for (next, direction) in walk.next.iter_mut().zip(ray.direction.to_array()) {
+                    *next = if direction == 0.0 {
+                        f64::INFINITY
+                    } else {
+                        not_before(start.t, *next)
+                    };
+                }
+                walk
             }
             None => Self::nowhere(cells),
         }
@@ -121,7 +130,7 @@ impl<'g> GridWalk<'g> {
         }
     }
 
-    /// From a cell.
+    /// From a cell, if the ray moves along all axes and its next planes lie behind `start.t`.
     #[inline]
     fn begun(cells: &'g CellPlanes, ray: &Ray, inverse: DVec3, start: Start, max: f64) -> Self {
         let (origin, direction) = (ray.origin, ray.direction);
@@ -130,14 +139,13 @@ impl<'g> GridWalk<'g> {
         let x = AxisWalk::new(of_x, i, origin.x, direction.x, inverse.x);
         let y = AxisWalk::new(of_y, j, origin.y, direction.y, inverse.y);
         let z = AxisWalk::new(of_z, k, origin.z, direction.z, inverse.z);
-        let t = start.t;
         Self {
             cells,
             axes: [x, y, z],
-            next: [x.next(cells, t), y.next(cells, t), z.next(cells, t)],
+            next: [x.next(cells), y.next(cells), z.next(cells)],
             after: [x.after(cells), y.after(cells), z.after(cells)],
             number: i * of_x.stride + j * of_y.stride + k * of_z.stride,
-            t_in: t,
+            t_in: start.t,
             max,
             done: false,
         }
@@ -154,7 +162,7 @@ impl<'g> GridWalk<'g> {
         );
         let [x, y, z] = self.next;
         let left = smaller(smaller(x, y), z);
-        clearly_before(entered, self.t_in) && clearly_before(self.t_in, left)
+        just_after(entered) < self.t_in && just_after(self.t_in) < left
     }
 
     /// The cell that comes next.
@@ -292,7 +300,7 @@ impl AxisWalk {
     fn new(along: &CellsAlong, at: usize, origin: f64, direction: f64, inverse: f64) -> Self {
         let below = along.first_plane + at;
         // no jump depends on which way the ray goes: that cannot be foretold
-        let downwards = direction < 0.0;
+        let downwards = direction.is_sign_negative();
         let one_way = |by: usize| if downwards { by.wrapping_neg() } else { by };
         let last = if downwards { 0 } else { along.count as usize };
         Self {
@@ -306,15 +314,10 @@ impl AxisWalk {
         }
     }
 
-    /// t of the next plane, not before the t at which the walk begins; infinite if the ray does not move.
+    /// t of the next plane.
     #[inline]
-    fn next(&self, cells: &CellPlanes, begin: f64) -> f64 {
-        let next = not_before(begin, self.meets(cells, self.plane));
-        if self.direction == 0.0 {
-            f64::INFINITY
-        } else {
-            next
-        }
+    fn next(&self, cells: &CellPlanes) -> f64 {
+        self.meets(cells, self.plane)
     }
 
     /// t of the plane behind the next one.
@@ -328,7 +331,7 @@ impl AxisWalk {
     #[inline]
     fn entered(&self, along: &CellsAlong, cells: &CellPlanes) -> f64 {
         let behind = self.plane.wrapping_sub(self.to_plane);
-        let outermost = if self.direction < 0.0 {
+        let outermost = if self.direction.is_sign_negative() {
             along.count as usize
         } else {
             0
@@ -352,6 +355,15 @@ impl AxisWalk {
 #[inline]
 fn not_before(t: f64, next: f64) -> f64 {
     if next < t { t } else { next }
+}
+
+/// Does f64 hold each 1/Δ with all its digits?
+#[inline]
+fn are_usable(inverse: DVec3) -> bool {
+    let size = inverse.abs();
+    let least = smaller(smaller(size.x, size.y), size.z);
+    // the sum is beyond f64, or no number, if one of them is
+    f64::MIN_POSITIVE <= least && size.element_sum() < f64::INFINITY
 }
 
 /// 1/Δ; no number where it is none that f64 holds with all its digits: then no t of it is ever certain, and
