@@ -82,7 +82,7 @@ pub(crate) fn race(
     .collect()
 }
 
-/// How long each took to build.
+/// How long each took to build, in the median of some times.
 pub(crate) fn builds(contenders: &[Contender<'_>]) {
     println!("  built in");
     for contender in contenders {
