@@ -7,8 +7,8 @@ use glam::DVec3;
 /// The f64 values of the planes *are* the grid: whatever is decided about a cell is decided by them.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct CellPlanes {
-    /// The planes across x, then those across y, then those across z, each rising; behind each axis' planes one at ∞,
-    /// and one at −∞ before: so a walk that looks one plane too far finds one that it never meets.
+    /// The planes across x, then those across y, then those across z, each rising from one at −∞ to one at ∞: a walk
+    /// that looks one plane too far finds one that it never meets.
     planes: Vec<f64>,
     /// Along x, y and z.
     axes: [CellsAlong; 3],

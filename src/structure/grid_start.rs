@@ -6,8 +6,8 @@ use glam::DVec3;
 
 use crate::geometry::{Ray, TRange};
 use crate::structure::cell_planes::{CellPlanes, CellsAlong};
+use crate::structure::extremes::{larger, smaller};
 use crate::structure::ray_order::{Meeting, just_after};
-use crate::structure::slab_bound::{larger, smaller};
 
 /// The first cell that a ray pierces in its range.
 #[derive(Clone, Copy, Debug)]
@@ -30,6 +30,9 @@ pub(super) enum Guess {
 }
 
 /// About which cell the ray pierces first. `inverse` is 1/Δ, with all its digits along each axis.
+///
+/// The grid is a box: the ray comes into it at t₀, the largest near of its three slabs, if that is before the smallest
+/// far. Along each axis (x₀ + t₀·Δx − low) times the cells for a unit of length says in which cell it is then.
 #[inline]
 pub(super) fn guess(cells: &CellPlanes, ray: &Ray, inverse: DVec3, range: TRange) -> Guess {
     let [x, y, z] = cells.along();

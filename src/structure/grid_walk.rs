@@ -20,10 +20,11 @@
 use glam::DVec3;
 
 use crate::geometry::{Ray, TRange};
-use crate::structure::cell_planes::{CellPlanes, CellsAlong};
+use crate::structure::axis_walk::AxisWalk;
+use crate::structure::cell_planes::CellPlanes;
+use crate::structure::extremes::{larger, smaller};
 use crate::structure::grid_start::{Guess, Start, exact_start, guess};
 use crate::structure::ray_order::{Meeting, just_after};
-use crate::structure::slab_bound::{larger, smaller};
 use crate::structure::{Across, CellStep};
 
 /// A walk through a grid; an iterator over the cells that the ray pierces.
@@ -42,23 +43,6 @@ pub struct GridWalk<'g> {
     /// Where the range ends.
     max: f64,
     done: bool,
-}
-
-/// A walk along one axis.
-#[derive(Clone, Copy, Debug, Default)]
-struct AxisWalk {
-    origin: f64,
-    direction: f64,
-    /// 1/Δ.
-    inverse: f64,
-    /// The place of the next plane among all planes.
-    plane: usize,
-    /// The place of the outer plane through which the ray leaves the grid.
-    last: usize,
-    /// To the next plane: 1, or −1 as a wrapping number.
-    to_plane: usize,
-    /// To the next cell's number, likewise.
-    to_cell: usize,
 }
 
 /// How the ray leaves a cell.
@@ -175,7 +159,7 @@ impl<'g> GridWalk<'g> {
         let mut next = self.next;
         for (axis, next) in next.iter_mut().enumerate() {
             if next.is_nan() {
-                *next = self.meeting(axis).t().max(self.t_in);
+                *next = self.axes[axis].meeting(self.cells).t().max(self.t_in);
             }
         }
         Some(CellStep {
@@ -216,20 +200,19 @@ impl<'g> GridWalk<'g> {
     #[inline]
     fn cross(&mut self, axis: usize, t: f64) {
         let of = &mut self.axes[axis];
-        if of.plane == of.last {
+        if of.is_last() {
             self.done = true;
             return;
         }
         self.next[axis] = not_before(t, self.after[axis]);
-        self.number = self.number.wrapping_add(of.to_cell);
-        of.plane = of.plane.wrapping_add(of.to_plane);
+        self.number = of.cross(self.number);
         self.after[axis] = of.after(self.cells);
     }
 
     /// The step where two planes are about equally near, or where the range ends about here.
     #[cold]
     fn step_exactly(&mut self) -> Leaving {
-        let meetings = [0, 1, 2].map(|axis| self.meeting(axis));
+        let meetings = [0, 1, 2].map(|axis| self.axes[axis].meeting(self.cells));
         let moving = [0, 1, 2].map(|axis: usize| meetings[axis].direction != 0.0);
         let is_first = |axis: &usize| {
             let before = |other: usize| moving[other] && meetings[other].before(&meetings[*axis]);
@@ -261,16 +244,6 @@ impl<'g> GridWalk<'g> {
         }
         Leaving { t, across }
     }
-
-    /// The ray and the next plane of an axis.
-    fn meeting(&self, axis: usize) -> Meeting {
-        let of = &self.axes[axis];
-        Meeting {
-            plane: self.cells.plane(of.plane),
-            origin: of.origin,
-            direction: of.direction,
-        }
-    }
 }
 
 impl Iterator for GridWalk<'_> {
@@ -291,63 +264,6 @@ impl Leaving {
             across: Across::BY_BITS[usize::from(self.across)],
             ..entering
         }
-    }
-}
-
-impl AxisWalk {
-    /// From a cell, along an axis.
-    #[inline]
-    fn new(along: &CellsAlong, at: usize, origin: f64, direction: f64, inverse: f64) -> Self {
-        let below = along.first_plane + at;
-        // no jump depends on which way the ray goes: that cannot be foretold
-        let downwards = direction.is_sign_negative();
-        let one_way = |by: usize| if downwards { by.wrapping_neg() } else { by };
-        let last = if downwards { 0 } else { along.count as usize };
-        Self {
-            origin,
-            direction,
-            inverse,
-            plane: below + usize::from(!downwards),
-            last: along.first_plane + last,
-            to_plane: one_way(1),
-            to_cell: one_way(along.stride),
-        }
-    }
-
-    /// t of the next plane.
-    #[inline]
-    fn next(&self, cells: &CellPlanes) -> f64 {
-        self.meets(cells, self.plane)
-    }
-
-    /// t of the plane behind the next one.
-    #[inline]
-    fn after(&self, cells: &CellPlanes) -> f64 {
-        self.meets(cells, self.plane.wrapping_add(self.to_plane))
-    }
-
-    /// t of the plane through which the ray came into the cell: −∞ if that is the outermost one, before which no walk
-    /// begins.
-    #[inline]
-    fn entered(&self, along: &CellsAlong, cells: &CellPlanes) -> f64 {
-        let behind = self.plane.wrapping_sub(self.to_plane);
-        let outermost = if self.direction.is_sign_negative() {
-            along.count as usize
-        } else {
-            0
-        };
-        let place = if behind == along.first_plane + outermost {
-            behind.wrapping_sub(self.to_plane)
-        } else {
-            behind
-        };
-        self.meets(cells, place)
-    }
-
-    /// t = (pᵢ − o)/Δ of the plane in this place.
-    #[inline]
-    fn meets(&self, cells: &CellPlanes, plane: usize) -> f64 {
-        (cells.plane(plane) - self.origin) * self.inverse
     }
 }
 

@@ -3,6 +3,7 @@
 //! Nothing here records: a structure answers questions and its walks yield steps, and `strategy` asks the
 //! questions and notes the steps.
 
+mod axis_walk;
 mod build;
 mod cell_lists;
 mod cell_overlap;
@@ -10,6 +11,7 @@ mod cell_planes;
 mod cell_step;
 mod cone_overlap;
 mod extent;
+mod extremes;
 mod grid;
 mod grid_error;
 mod grid_resolution;

@@ -11,6 +11,7 @@ use glam::DVec3;
 use crate::geometry::{PARALLEL, Ray, SlabInterval, SlabRay, TRange};
 use crate::scene::Shape;
 use crate::structure::extent::box_around;
+use crate::structure::extremes::{larger, smaller};
 use crate::structure::{SlabSet, extent};
 
 /// D_min and D_max of each slab. A, B and C are those of the structure's [`SlabSet`].
@@ -87,18 +88,6 @@ impl Inside {
     pub fn ends(&self) -> Option<[f64; 2]> {
         (self.near <= self.far).then_some([self.near, self.far])
     }
-}
-
-/// The larger of two numbers: one instruction, unlike `f64::max`, which must look out for NaN.
-#[inline]
-pub(super) fn larger(a: f64, b: f64) -> f64 {
-    if a < b { b } else { a }
-}
-
-/// The smaller of two numbers.
-#[inline]
-pub(super) fn smaller(a: f64, b: f64) -> f64 {
-    if b < a { b } else { a }
 }
 
 /// S and T of a ray for each direction of a set: computed once for all bounds.

@@ -4,7 +4,7 @@ use glam::DVec3;
 
 use crate::scene::Shape;
 use crate::structure::extent::box_around;
-use crate::structure::slab_bound::{larger, smaller};
+use crate::structure::extremes::{larger, smaller};
 
 /// min ≤ p ≤ max.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -30,7 +30,7 @@ impl Solid {
     #[inline]
     pub(super) fn union(&self, other: &Self) -> Self {
         let (a, b) = (self, other);
-        // by `smaller` and `larger`: the least of vectors looks out for NaN, which takes a build a tenth of its time
+        // not by the least of vectors, which looks out for NaN
         Self {
             min: DVec3::new(
                 smaller(a.min.x, b.min.x),
