@@ -87,13 +87,13 @@ impl BoxTest {
                 SlabInterval::ParallelOutside => far = f64::NEG_INFINITY,
             }
         }
-        let refused = |_, entering| hidden_side(entering, sides);
+        let judge = |t, entering| judged(t, range, |_| hidden_side(entering, sides));
         let roots = if !(near.is_finite() && far.is_finite()) || far < near {
             Roots::None
         } else if near == far {
-            Roots::Graze(judged(near, range, |t| refused(t, true)))
+            Roots::Graze(judge(near, true))
         } else {
-            two_roots([near, far], range, refused, true)
+            two_roots(judge(near, true), judge(far, false))
         };
         Self { slabs, roots }
     }

@@ -8,7 +8,7 @@
 //! - −b + √…, when b is large (a small far sphere, or an origin close to a huge one). The root in which
 //!   −b and the square root have one sign is computed first; the other follows from t₁·t₂ = c/a.
 
-use crate::geometry::root::{hidden_side, judged, two_roots};
+use crate::geometry::root::{fate_of, hidden_side, judged, two_roots};
 use crate::geometry::{Fate, Roots, Sides, TRange};
 
 /// A ray grazes a surface if its discriminant is within this share of its larger term.
@@ -65,45 +65,97 @@ impl Quadratic {
 
     /// The real roots and their fates.
     ///
-    /// The surface is passed from outside to inside where a·t² + b·t + c falls: at the nearer root if
-    /// a > 0. `beyond_ends` says whether the surface ends before t. Coefficients that are not finite
-    /// (a product beyond f64) give no root.
+    /// `beyond_ends` says whether the surface ends before t.
     #[inline]
     fn roots(&self, range: TRange, sides: Sides, beyond_ends: impl Fn(f64) -> bool) -> Roots {
+        let judge = |t, entering| {
+            judged(t, range, |t| {
+                if beyond_ends(t) {
+                    return Some(Fate::BeyondEnds);
+                }
+                hidden_side(entering, sides)
+            })
+        };
+        match self.real_roots() {
+            RealRoots::None => Roots::None,
+            RealRoots::Linear { t, entering } => Roots::Linear(judge(t, entering)),
+            RealRoots::Graze(t) => Roots::Graze(judge(t, true)),
+            RealRoots::Two {
+                t: [near, far],
+                near_enters,
+            } => two_roots(judge(near, near_enters), judge(far, !near_enters)),
+        }
+    }
+
+    /// The root that is the hit, if there is one: the one that [`Quadratic::test`] chooses, without the fates of the
+    /// others.
+    #[inline]
+    pub(super) fn hit(&self, range: TRange, sides: Sides) -> Option<f64> {
+        let is_hit = |t: f64, entering| {
+            fate_of(t, range) == Fate::Chosen && hidden_side(entering, sides).is_none()
+        };
+        match self.real_roots() {
+            RealRoots::None => None,
+            RealRoots::Linear { t, entering } => is_hit(t, entering).then_some(t),
+            RealRoots::Graze(t) => is_hit(t, true).then_some(t),
+            RealRoots::Two {
+                t: [near, far],
+                near_enters,
+            } => {
+                if is_hit(near, near_enters) {
+                    Some(near)
+                } else {
+                    is_hit(far, !near_enters).then_some(far)
+                }
+            }
+        }
+    }
+
+    /// The roots, whatever lies there.
+    ///
+    /// The surface is passed from outside to inside where a·t² + b·t + c falls: at the nearer root if
+    /// a > 0. Coefficients that are not finite (a product beyond f64) give no root.
+    #[inline]
+    fn real_roots(&self) -> RealRoots {
         // most rays pass by: only this much is done for each of them
         let real = -GRAZE * self.scale <= self.discriminant && self.discriminant.is_finite();
         if !real {
-            return Roots::None;
+            return RealRoots::None;
         }
-        self.real_roots(range, |t, entering| {
-            if beyond_ends(t) {
-                return Some(Fate::BeyondEnds);
-            }
-            hidden_side(entering, sides)
-        })
-    }
 
-    /// The roots of an equation that has some.
-    fn real_roots(&self, range: TRange, refused: impl Fn(f64, bool) -> Option<Fate>) -> Roots {
         // a = 0: b·t + c = 0
         if self.a == 0.0 {
             let t = -self.c / self.b;
             if !t.is_finite() {
-                return Roots::None;
+                return RealRoots::None;
             }
-            return Roots::Linear(judged(t, range, |t| refused(t, self.b < 0.0)));
+            let entering = self.b < 0.0;
+            return RealRoots::Linear { t, entering };
         }
 
         // one double root, at the vertex of the parabola
         if self.discriminant <= GRAZE * self.scale {
-            let t = -self.b / (2.0 * self.a);
-            return Roots::Graze(judged(t, range, |t| refused(t, true)));
+            return RealRoots::Graze(-self.b / (2.0 * self.a));
         }
 
         // two: q has no cancellation, and t₁·t₂ = c/a gives the other
         let q = -0.5 * (self.b + self.discriminant.sqrt().copysign(self.b));
         let (t1, t2) = (self.c / q, q / self.a);
-        let ordered = if t2 < t1 { [t2, t1] } else { [t1, t2] };
-        two_roots(ordered, range, refused, self.a > 0.0)
+        RealRoots::Two {
+            t: if t2 < t1 { [t2, t1] } else { [t1, t2] },
+            near_enters: self.a > 0.0,
+        }
     }
+}
+
+/// The real roots of (iii), or of its like, and whether the surface is entered there.
+enum RealRoots {
+    /// None.
+    None,
+    /// One, of a linear equation.
+    Linear { t: f64, entering: bool },
+    /// A double root.
+    Graze(f64),
+    /// Two, the smaller first.
+    Two { t: [f64; 2], near_enters: bool },
 }

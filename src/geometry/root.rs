@@ -116,17 +116,9 @@ pub(super) fn hidden_side(entering: bool, sides: Sides) -> Option<Fate> {
     }
 }
 
-/// The fates of an entering and a leaving root: `near` is looked at first, and once it is chosen
-/// `far` lies beyond the nearest.
+/// Two roots, each with a fate of its own: once `near` is chosen, `far` lies beyond the nearest.
 #[inline]
-pub(super) fn two_roots(
-    [near, far]: [f64; 2],
-    range: TRange,
-    mut refused: impl FnMut(f64, bool) -> Option<Fate>,
-    near_enters: bool,
-) -> Roots {
-    let near = judged(near, range, |t| refused(t, near_enters));
-    let mut far = judged(far, range, |t| refused(t, !near_enters));
+pub(super) fn two_roots(near: Root, mut far: Root) -> Roots {
     if near.fate == Fate::Chosen && far.fate == Fate::Chosen {
         far.fate = Fate::BeyondNearest;
     }

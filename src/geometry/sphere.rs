@@ -43,6 +43,12 @@ impl Sphere {
         Quadratic::of_sphere(ray, self.center, self.radius).test(range, sides, |_| false)
     }
 
+    /// The t that [`Sphere::test`] chooses: the same without all else that the test has to tell.
+    #[inline]
+    pub fn hit(&self, ray: &Ray, range: TRange, sides: Sides) -> Option<f64> {
+        Quadratic::of_sphere(ray, self.center, self.radius).hit(range, sides)
+    }
+
     /// Does the line of the ray pass the sphere so far from its edge that [`Sphere::test`] finds no real root,
     /// whatever is rounded?
     ///
@@ -142,6 +148,7 @@ mod tests {
         let ray = Ray::new(origin.into(), direction.into());
         let test = sphere.test(&ray, range, Sides::Both);
         assert_eq!(test.roots, roots, "{test:?}");
+        assert_eq!(sphere.hit(&ray, range, Sides::Both), roots.chosen());
     }
 
     #[test]
@@ -234,6 +241,7 @@ mod tests {
             panic!("two roots");
         };
         assert_eq!((near.fate, far.fate), (Fate::BelowEpsilon, Fate::Chosen));
+        assert_eq!(UNIT.hit(&ray, range, Sides::Both), Some(far.t));
     }
 
     #[test]
@@ -258,16 +266,17 @@ mod tests {
     #[test]
     fn a_sphere_that_shows_one_side_is_hit_on_that_side() {
         let ray = Ray::new(DVec3::new(-5.0, 0.0, 0.0), DVec3::X);
-        let hit = |sides| UNIT.test(&ray, TRange::FORWARD, sides).roots.chosen();
+        let hit = |sides| {
+            let hit = UNIT.hit(&ray, TRange::FORWARD, sides);
+            let test = UNIT.test(&ray, TRange::FORWARD, sides);
+            assert_eq!(test.roots.chosen(), hit);
+            hit
+        };
         assert_eq!(hit(Sides::Front), Some(4.0));
         assert_eq!(hit(Sides::Back), Some(6.0));
         let inside = Ray::new(DVec3::ZERO, DVec3::X);
-        assert_eq!(
-            UNIT.test(&inside, TRange::FORWARD, Sides::Front)
-                .roots
-                .chosen(),
-            None
-        );
+        assert_eq!(UNIT.hit(&inside, TRange::FORWARD, Sides::Front), None);
+        assert_eq!(UNIT.hit(&inside, TRange::FORWARD, Sides::Back), Some(1.0));
     }
 
     #[test]
