@@ -34,7 +34,7 @@ pub enum Chosen<'a> {
     /// Every object, in the frame of the ray.
     ZAligned(ZAligned<'a>),
     /// A uniform grid.
-    Grid(UniformGrid<'a>),
+    Grid(Box<UniformGrid<'a>>),
 }
 
 impl<'a> Chosen<'a> {
@@ -91,7 +91,8 @@ impl<'a> Chosen<'a> {
             }
             (StrategyName::ZAligned, _) => Self::ZAligned(ZAligned::new(scene)),
             (StrategyName::Grid, _) => {
-                Self::Grid(UniformGrid::new(scene, &options.grid).map_err(StructureError::Grid)?)
+                let grid = UniformGrid::new(scene, &options.grid).map_err(StructureError::Grid)?;
+                Self::Grid(Box::new(grid))
             }
         })
     }

@@ -1,104 +1,74 @@
 //! The walk of a ray along one axis of a grid: from plane to plane, always one way.
 
-use crate::structure::cell_planes::{CellPlanes, CellsAlong};
+use crate::structure::one_way::OneWay;
 use crate::structure::ray_order::Meeting;
 
 /// A walk along one axis.
 #[derive(Clone, Copy, Debug, Default)]
-pub(super) struct AxisWalk {
+pub(super) struct AxisWalk<'g> {
     origin: f64,
     direction: f64,
     /// 1/Δ.
     inverse: f64,
-    /// The place of the next plane among all planes.
-    plane: usize,
-    /// The place of the outer plane through which the ray leaves the grid.
-    last: usize,
-    /// To the next plane: 1, or −1 as a wrapping number.
-    to_plane: usize,
-    /// To the next cell's number, likewise.
+    /// To the next cell's number, as a wrapping number.
     to_cell: usize,
+    /// The plane behind the cell, the next one, the one behind that, and so on.
+    ahead: &'g [f64],
 }
 
-impl AxisWalk {
+impl<'g> AxisWalk<'g> {
     /// From a cell, along an axis.
     #[inline]
     pub(super) fn new(
-        along: &CellsAlong,
-        at: usize,
+        way: &'g OneWay,
+        cell: usize,
         origin: f64,
         direction: f64,
         inverse: f64,
     ) -> Self {
-        let below = along.first_plane + at;
-        // no jump depends on which way the ray goes: that cannot be foretold
-        let downwards = direction.is_sign_negative();
-        let one_way = |by: usize| if downwards { by.wrapping_neg() } else { by };
-        let last = if downwards { 0 } else { along.count as usize };
         Self {
             origin,
             direction,
             inverse,
-            plane: below + usize::from(!downwards),
-            last: along.first_plane + last,
-            to_plane: one_way(1),
-            to_cell: one_way(along.stride),
+            to_cell: way.to_cell,
+            ahead: way.ahead(cell),
         }
     }
 
-    /// t of the next plane.
+    /// t of the plane behind the cell, of the next one and of the one behind that.
     #[inline]
-    pub(super) fn next(&self, cells: &CellPlanes) -> f64 {
-        self.meets(cells, self.plane)
+    pub(super) fn first_three(&self) -> [f64; 3] {
+        let planes = &self.ahead[..3];
+        [planes[0], planes[1], planes[2]].map(|plane| self.meets(plane))
     }
 
-    /// t of the plane behind the next one.
+    /// t = (pᵢ − o)/Δ.
     #[inline]
-    pub(super) fn after(&self, cells: &CellPlanes) -> f64 {
-        self.meets(cells, self.plane.wrapping_add(self.to_plane))
+    fn meets(&self, plane: f64) -> f64 {
+        (plane - self.origin) * self.inverse
     }
 
-    /// t of the plane through which the ray came into the cell: −∞ if that is the outermost one, before which no walk
-    /// begins.
+    /// Goes on behind the next plane, and says t of the plane that is the one behind the next one there; `None` if the
+    /// next plane leads out of the grid.
     #[inline]
-    pub(super) fn entered(&self, along: &CellsAlong, cells: &CellPlanes) -> f64 {
-        let behind = self.plane.wrapping_sub(self.to_plane);
-        let outermost = if self.direction.is_sign_negative() {
-            along.count as usize
-        } else {
-            0
+    pub(super) fn cross(&mut self) -> Option<f64> {
+        let [_, _, _, after, ..] = *self.ahead else {
+            return None;
         };
-        let place = if behind == along.first_plane + outermost {
-            behind.wrapping_sub(self.to_plane)
-        } else {
-            behind
-        };
-        self.meets(cells, place)
+        self.ahead = &self.ahead[1..];
+        Some(self.meets(after))
     }
 
-    /// t = (pᵢ − o)/Δ of the plane in this place.
+    /// The number of the cell behind the next plane, from that of the one before it.
     #[inline]
-    fn meets(&self, cells: &CellPlanes, plane: usize) -> f64 {
-        (cells.plane(plane) - self.origin) * self.inverse
-    }
-
-    /// Does the next plane lead out of the grid?
-    #[inline]
-    pub(super) fn is_last(&self) -> bool {
-        self.plane == self.last
-    }
-
-    /// Goes on behind the next plane; the cell's number there, from the one before it.
-    #[inline]
-    pub(super) fn cross(&mut self, number: usize) -> usize {
-        self.plane = self.plane.wrapping_add(self.to_plane);
+    pub(super) fn next_cell(&self, number: usize) -> usize {
         number.wrapping_add(self.to_cell)
     }
 
     /// The ray and the next plane.
-    pub(super) fn meeting(&self, cells: &CellPlanes) -> Meeting {
+    pub(super) fn meeting(&self) -> Meeting {
         Meeting {
-            plane: cells.plane(self.plane),
+            plane: self.ahead[1],
             origin: self.origin,
             direction: self.direction,
         }

@@ -2,33 +2,28 @@
 
 use glam::DVec3;
 
+use crate::structure::one_way::OneWay;
+
 /// A box cut into equal cells by planes across x, y and z.
 ///
 /// The f64 values of the planes *are* the grid: whatever is decided about a cell is decided by them.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct CellPlanes {
-    /// The planes across x, then those across y, then those across z, each rising from one at −∞ to one at ∞: a walk
-    /// that looks one plane too far finds one that it never meets.
-    planes: Vec<f64>,
     /// Along x, y and z.
     axes: [CellsAlong; 3],
 }
 
 /// The cells along an axis.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(crate) struct CellsAlong {
+#[derive(Clone, Debug, Default, PartialEq)]
+struct CellsAlong {
     /// How many.
-    pub(crate) count: u32,
+    count: u32,
     /// By how much a cell's number grows from one cell to the next.
-    pub(crate) stride: usize,
-    /// The place of the lowest plane among all planes.
-    pub(crate) first_plane: usize,
-    /// The lowest plane.
-    pub(crate) low: f64,
-    /// The highest plane.
-    pub(crate) high: f64,
-    /// Cells for each unit of length.
-    pub(crate) per_unit: f64,
+    stride: usize,
+    /// The planes across the axis, rising.
+    planes: Vec<f64>,
+    /// The same for rays that go up, and for those that go down.
+    ways: [OneWay; 2],
 }
 
 impl CellPlanes {
@@ -36,26 +31,23 @@ impl CellPlanes {
     ///
     /// The planes of an axis rise strictly if it has at most [`CellPlanes::most_along`] cells.
     pub(crate) fn new(min: DVec3, max: DVec3, resolution: [u32; 3]) -> Self {
-        let mut planes = Vec::new();
-        let mut axes = [CellsAlong::default(); 3];
         let mut stride = 1;
-        for (axis, along) in axes.iter_mut().enumerate() {
+        let axes = [0, 1, 2].map(|axis: usize| {
             let (low, high, n) = (min[axis], max[axis], resolution[axis]);
             let side = high - low;
-            planes.push(f64::NEG_INFINITY);
-            *along = CellsAlong {
+            let mut planes = Vec::with_capacity(n as usize + 1);
+            planes.extend((0..n).map(|i| low + side * (f64::from(i) / f64::from(n))));
+            planes.push(high);
+            let along = CellsAlong {
                 count: n,
                 stride,
-                first_plane: planes.len(),
-                low,
-                high,
-                per_unit: f64::from(n) / side,
+                ways: [OneWay::up(&planes, stride), OneWay::down(&planes, stride)],
+                planes,
             };
-            planes.extend((0..n).map(|i| low + side * (f64::from(i) / f64::from(n))));
-            planes.extend([high, f64::INFINITY]);
             stride *= n as usize;
-        }
-        Self { planes, axes }
+            along
+        });
+        Self { axes }
     }
 
     /// How many cells at most lie between two coordinates, so that each is many roundings wide.
@@ -68,34 +60,25 @@ impl CellPlanes {
     /// Cells along x, y and z.
     #[inline]
     pub(crate) fn resolution(&self) -> [u32; 3] {
-        self.axes.map(|along| along.count)
+        self.axes.each_ref().map(|along| along.count)
     }
 
-    /// The cells along x, y and z.
+    /// The way of a ray along each axis.
     #[inline]
-    pub(crate) fn along(&self) -> &[CellsAlong; 3] {
-        &self.axes
+    pub(crate) fn ways(&self, direction: DVec3) -> [&OneWay; 3] {
+        let [x, y, z] = &self.axes;
+        [x.way(direction.x), y.way(direction.y), z.way(direction.z)]
     }
 
-    /// The plane in this place among all.
-    #[inline]
-    pub(crate) fn plane(&self, place: usize) -> f64 {
-        self.planes[place]
-    }
-
-    /// The planes across an axis; none if there are no cells.
+    /// The planes across an axis, rising; none if there are no cells.
     pub(crate) fn axis(&self, axis: usize) -> &[f64] {
-        if self.is_empty() {
-            return &[];
-        }
-        let along = &self.axes[axis];
-        &self.planes[along.first_plane..=along.last_plane()]
+        &self.axes[axis].planes
     }
 
     /// Are there no cells?
     #[inline]
     pub(crate) fn is_empty(&self) -> bool {
-        self.planes.is_empty()
+        self.axes[0].planes.is_empty()
     }
 
     /// How many cells there are.
@@ -105,7 +88,11 @@ impl CellPlanes {
 
     /// How much memory the planes take, in bytes.
     pub(crate) fn bytes(&self) -> usize {
-        size_of_val(self.planes.as_slice())
+        let of = |along: &CellsAlong| {
+            let ways = along.ways.each_ref().map(OneWay::bytes);
+            size_of_val(along.planes.as_slice()) + ways.iter().sum::<usize>()
+        };
+        self.axes.iter().map(of).sum()
     }
 
     /// The number of cell (i, j, k): i + nx·(j + ny·k).
@@ -118,6 +105,7 @@ impl CellPlanes {
     /// The cell (i, j, k) with a number.
     pub(crate) fn cell(&self, number: usize) -> [u32; 3] {
         self.axes
+            .each_ref()
             .map(|along| (number / along.stride % along.count as usize) as u32)
     }
 
@@ -125,15 +113,16 @@ impl CellPlanes {
     #[inline]
     pub(crate) fn touched(&self, axis: usize, [low, high]: [f64; 2]) -> [u32; 2] {
         let planes = self.axis(axis);
+        let [up, _] = &self.axes[axis].ways;
         let last_cell = planes.len() - 2;
-        let mut first = self.axes[axis].near(low);
+        let mut first = up.near(low);
         while 0 < first && low <= planes[first] {
             first -= 1;
         }
         while first < last_cell && planes[first + 1] < low {
             first += 1;
         }
-        let mut last = self.axes[axis].near(high).max(first);
+        let mut last = up.near(high).max(first);
         while first < last && high < planes[last] {
             last -= 1;
         }
@@ -145,22 +134,10 @@ impl CellPlanes {
 }
 
 impl CellsAlong {
-    /// The place of the highest plane among all planes: n cells have n + 1.
+    /// The way of a ray that goes up, or down; a zero of either sign counts as its sign says.
     #[inline]
-    pub(crate) fn last_plane(&self) -> usize {
-        self.first_plane + self.count as usize
-    }
-
-    /// About which cell a coordinate lies in; the first or the last if it lies outside.
-    pub(crate) fn near(&self, x: f64) -> usize {
-        self.cell_at((x - self.low) * self.per_unit)
-    }
-
-    /// The cell so many cells' sides above the lowest plane; the first or the last if that is outside.
-    #[inline]
-    pub(crate) fn cell_at(&self, sides: f64) -> usize {
-        // a conversion to whole numbers cuts off what does not fit
-        (sides as u32).min(self.count - 1) as usize
+    fn way(&self, direction: f64) -> &OneWay {
+        &self.ways[usize::from(direction.is_sign_negative())]
     }
 }
 

@@ -24,6 +24,7 @@ use crate::structure::axis_walk::AxisWalk;
 use crate::structure::cell_planes::CellPlanes;
 use crate::structure::extremes::{larger, smaller};
 use crate::structure::grid_start::{Guess, Start, exact_start, guess};
+use crate::structure::one_way::OneWay;
 use crate::structure::ray_order::{Meeting, just_after};
 use crate::structure::{Across, CellStep};
 
@@ -31,7 +32,7 @@ use crate::structure::{Across, CellStep};
 #[derive(Clone, Debug)]
 pub struct GridWalk<'g> {
     cells: &'g CellPlanes,
-    axes: [AxisWalk; 3],
+    axes: [AxisWalk<'g>; 3],
     /// t of the next plane across each axis; infinite if the ray does not move along it, no number if 1/Δ is none.
     next: [f64; 3],
     /// t of the plane behind that one, at hand before it is asked for.
@@ -58,15 +59,13 @@ impl<'g> GridWalk<'g> {
     /// From the first cell that the ray pierces in its range.
     #[inline]
     pub(super) fn new(cells: &'g CellPlanes, ray: &Ray, range: TRange) -> Self {
-        if cells.is_empty() {
-            return Self::nowhere(cells);
-        }
         let inverse = 1.0 / ray.direction;
         if are_usable(inverse) {
-            match guess(cells, ray, inverse, range) {
+            let ways = cells.ways(ray.direction);
+            match guess(ways, ray, inverse, range) {
                 Guess::Cell(start) => {
-                    let walk = Self::begun(cells, ray, inverse, start, range.max);
-                    if walk.is_clearly_begun() {
+                    let (walk, entered) = Self::begun(cells, ways, ray, inverse, start, range.max);
+                    if walk.is_clearly_begun(entered) {
                         return walk;
                     }
                 }
@@ -84,7 +83,8 @@ impl<'g> GridWalk<'g> {
         match exact_start(cells, ray, range) {
             Some(start) => {
                 let inverse = ray.direction.map(usable_inverse);
-                let mut walk = Self::begun(cells, ray, inverse, start, range.max);
+                let ways = cells.ways(ray.direction);
+                let (mut walk, _) = Self::begun(cells, ways, ray, inverse, start, range.max);
                 // what a ray that leaves no doubt is spared
                 for (next, direction) in walk.next.iter_mut().zip(ray.direction.to_array()) {
                     *next = if direction == 0.0 {
@@ -114,36 +114,46 @@ impl<'g> GridWalk<'g> {
         }
     }
 
-    /// From a cell, if the ray moves along all axes and its next planes lie behind `start.t`.
+    /// From a cell, if the ray moves along all axes and its next planes lie behind `start.t`; and t of the planes behind
+    /// that cell.
     #[inline]
-    fn begun(cells: &'g CellPlanes, ray: &Ray, inverse: DVec3, start: Start, max: f64) -> Self {
+    fn begun(
+        cells: &'g CellPlanes,
+        ways: [&'g OneWay; 3],
+        ray: &Ray,
+        inverse: DVec3,
+        start: Start,
+        max: f64,
+    ) -> (Self, [f64; 3]) {
         let (origin, direction) = (ray.origin, ray.direction);
-        let [of_x, of_y, of_z] = cells.along();
+        let [of_x, of_y, of_z] = ways;
         let [i, j, k] = start.cell;
         let x = AxisWalk::new(of_x, i, origin.x, direction.x, inverse.x);
         let y = AxisWalk::new(of_y, j, origin.y, direction.y, inverse.y);
         let z = AxisWalk::new(of_z, k, origin.z, direction.z, inverse.z);
-        Self {
+        let [[x0, x1, x2], [y0, y1, y2], [z0, z1, z2]] =
+            [x.first_three(), y.first_three(), z.first_three()];
+        let walk = Self {
             cells,
             axes: [x, y, z],
-            next: [x.next(cells), y.next(cells), z.next(cells)],
-            after: [x.after(cells), y.after(cells), z.after(cells)],
-            number: i * of_x.stride + j * of_y.stride + k * of_z.stride,
+            next: [x1, y1, z1],
+            after: [x2, y2, z2],
+            number: of_x
+                .number(i)
+                .wrapping_add(of_y.number(j))
+                .wrapping_add(of_z.number(k)),
             t_in: start.t,
             max,
             done: false,
-        }
+        };
+        (walk, [x0, y0, z0])
     }
 
     /// Is it beyond doubt that the ray is in the first cell by the t at which the walk begins, and leaves it later?
     #[inline]
-    fn is_clearly_begun(&self) -> bool {
-        let [of_x, of_y, of_z] = self.cells.along();
-        let [x, y, z] = &self.axes;
-        let entered = larger(
-            larger(x.entered(of_x, self.cells), y.entered(of_y, self.cells)),
-            z.entered(of_z, self.cells),
-        );
+    fn is_clearly_begun(&self, entered: [f64; 3]) -> bool {
+        let [x, y, z] = entered;
+        let entered = larger(larger(x, y), z);
         let [x, y, z] = self.next;
         let left = smaller(smaller(x, y), z);
         just_after(entered) < self.t_in && just_after(self.t_in) < left
@@ -159,7 +169,7 @@ impl<'g> GridWalk<'g> {
         let mut next = self.next;
         for (axis, next) in next.iter_mut().enumerate() {
             if next.is_nan() {
-                *next = self.axes[axis].meeting(self.cells).t().max(self.t_in);
+                *next = self.axes[axis].meeting().t().max(self.t_in);
             }
         }
         Some(CellStep {
@@ -200,19 +210,19 @@ impl<'g> GridWalk<'g> {
     #[inline]
     fn cross(&mut self, axis: usize, t: f64) {
         let of = &mut self.axes[axis];
-        if of.is_last() {
+        let Some(after) = of.cross() else {
             self.done = true;
             return;
-        }
+        };
+        self.number = of.next_cell(self.number);
         self.next[axis] = not_before(t, self.after[axis]);
-        self.number = of.cross(self.number);
-        self.after[axis] = of.after(self.cells);
+        self.after[axis] = after;
     }
 
     /// The step where two planes are about equally near, or where the range ends about here.
     #[cold]
     fn step_exactly(&mut self) -> Leaving {
-        let meetings = [0, 1, 2].map(|axis| self.axes[axis].meeting(self.cells));
+        let meetings = [0, 1, 2].map(|axis| self.axes[axis].meeting());
         let moving = [0, 1, 2].map(|axis: usize| meetings[axis].direction != 0.0);
         let is_first = |axis: &usize| {
             let before = |other: usize| moving[other] && meetings[other].before(&meetings[*axis]);

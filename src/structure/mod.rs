@@ -20,6 +20,7 @@ mod grid_walk;
 mod hierarchy;
 mod least_ellipsoid;
 mod object_bounds;
+mod one_way;
 mod options;
 mod point_tree;
 mod principal_axes;

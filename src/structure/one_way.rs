@@ -1,0 +1,152 @@
+//! The planes across an axis of a grid in the order in which rays meet them that all go the same way along it.
+//!
+//! Upwards and downwards a walk is the same, but for the order of the planes and the sign of the step. So each axis
+//! has both orders at hand, a ray takes one of them, and from there on nothing asks for its direction.
+
+/// The cells along an axis, as rays come through them that all go the same way.
+///
+/// Cells are counted as they are entered: cell 0 is the lowest upwards, and the highest downwards.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(crate) struct OneWay {
+    /// The outer plane through which such a ray comes in.
+    pub(crate) from: f64,
+    /// The one through which it goes out.
+    pub(crate) to: f64,
+    /// Cells for each unit of length; below 0 downwards.
+    pub(crate) per_unit: f64,
+    /// How much of a cell's number cell 0 stands for.
+    pub(crate) first_number: usize,
+    /// By how much the number grows from one cell to the next, as a wrapping number.
+    pub(crate) to_cell: usize,
+    /// The last cell.
+    pub(crate) last: u32,
+    /// −∞ (downwards ∞) in the place of `from`, before which no walk begins; each plane up to `to`; and one that no
+    /// ray meets, for a walk that looks one plane too far.
+    planes: Box<[f64]>,
+}
+
+impl OneWay {
+    /// Upwards through planes that rise.
+    pub(super) fn up(planes: &[f64], stride: usize) -> Self {
+        Self::along(planes.iter().copied(), f64::INFINITY, 0, stride)
+    }
+
+    /// Downwards through planes that rise.
+    pub(super) fn down(planes: &[f64], stride: usize) -> Self {
+        let cells = planes.len() - 1;
+        let highest = (cells - 1) * stride;
+        Self::along(
+            planes.iter().rev().copied(),
+            f64::NEG_INFINITY,
+            highest,
+            stride.wrapping_neg(),
+        )
+    }
+
+    /// Through at least two planes in this order, and on to the end of the world.
+    fn along(
+        planes: impl ExactSizeIterator<Item = f64> + Clone,
+        end: f64,
+        first_number: usize,
+        to_cell: usize,
+    ) -> Self {
+        let cells = planes.len() - 1;
+        let mut ends = planes.clone();
+        let from = ends.next().unwrap_or_default();
+        let to = ends.last().unwrap_or_default();
+        Self {
+            from,
+            to,
+            per_unit: cells as f64 / (to - from),
+            first_number,
+            to_cell,
+            last: cells as u32 - 1,
+            planes: [-end]
+                .into_iter()
+                .chain(planes.skip(1))
+                .chain([end])
+                .collect(),
+        }
+    }
+
+    /// The planes that lie ahead in a cell, led by the one behind it: so the second one is met next.
+    #[inline]
+    pub(crate) fn ahead(&self, cell: usize) -> &[f64] {
+        &self.planes[cell..]
+    }
+
+    /// How much of a cell's number a cell along the way stands for, as a wrapping number.
+    #[inline]
+    pub(crate) fn number(&self, cell: usize) -> usize {
+        self.first_number
+            .wrapping_add(cell.wrapping_mul(self.to_cell))
+    }
+
+    /// The planes that can be met: the first one behind cell 0.
+    pub(crate) fn met(&self) -> &[f64] {
+        &self.planes[1..self.planes.len() - 1]
+    }
+
+    /// How much memory the planes take, in bytes.
+    pub(super) fn bytes(&self) -> usize {
+        size_of_val(&*self.planes)
+    }
+
+    /// About which cell a coordinate lies in; the first or the last if it lies outside.
+    pub(crate) fn near(&self, x: f64) -> usize {
+        self.cell_at((x - self.from) * self.per_unit)
+    }
+
+    /// The cell so many cells' sides behind `from`; the first or the last if that is outside.
+    #[inline]
+    pub(crate) fn cell_at(&self, sides: f64) -> usize {
+        // a conversion to whole numbers cuts off what does not fit
+        (sides as u32).min(self.last) as usize
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Three cells along y of a grid with 10 along x.
+    fn ways() -> [OneWay; 2] {
+        let planes = [1.0, 3.0, 5.0, 7.0];
+        [OneWay::up(&planes, 10), OneWay::down(&planes, 10)]
+    }
+
+    #[test]
+    fn the_planes_lie_ahead_in_the_order_in_which_they_are_met() {
+        const INF: f64 = f64::INFINITY;
+        let [up, down] = ways();
+        assert_eq!(up.ahead(0), [-INF, 3.0, 5.0, 7.0, INF]);
+        assert_eq!(up.ahead(2), [5.0, 7.0, INF]);
+        assert_eq!(up.met(), [3.0, 5.0, 7.0]);
+        assert_eq!(down.ahead(0), [INF, 5.0, 3.0, 1.0, -INF]);
+        assert_eq!(down.ahead(2), [3.0, 1.0, -INF]);
+        assert_eq!(down.met(), [5.0, 3.0, 1.0]);
+    }
+
+    #[test]
+    fn a_cell_has_the_same_number_both_ways() {
+        let [up, down] = ways();
+        assert_eq!([0, 1, 2].map(|cell| up.number(cell)), [0, 10, 20]);
+        assert_eq!([0, 1, 2].map(|cell| down.number(cell)), [20, 10, 0]);
+        assert_eq!(down.number(0).wrapping_add(down.to_cell), 10);
+    }
+
+    #[test]
+    fn cells_are_counted_from_where_the_ray_comes_in() {
+        let [up, down] = ways();
+        for (y, from_below, from_above) in [
+            (0.0, 0, 2),
+            (1.5, 0, 2),
+            (4.0, 1, 1),
+            (6.5, 2, 0),
+            (9.0, 2, 0),
+        ] {
+            assert_eq!(up.near(y), from_below, "{y}");
+            assert_eq!(down.near(y), from_above, "{y}");
+        }
+    }
+}
