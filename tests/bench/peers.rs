@@ -7,9 +7,9 @@
 //! same and leaves its reports in `target/criterion`.
 //!
 //! ```text
-//! cargo bench --bench peers                        # all of it: half an hour
-//! cargo bench --bench peers -- --table             # the tables alone
-//! cargo bench --bench peers -- --table --quick     # with fewer rays and up to 10 000 objects
+//! cargo bench -p bench --bench peers                        # all of it: half an hour
+//! cargo bench -p bench --bench peers -- --table             # the tables alone
+//! cargo bench -p bench --bench peers -- --table --quick     # with fewer rays and up to 10 000 objects
 //! ```
 
 #[path = "peers/contenders.rs"]

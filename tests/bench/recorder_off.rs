@@ -6,8 +6,8 @@
 //! cannot show half a per cent; counted instructions can:
 //!
 //! ```text
-//! cargo bench --bench recorder_off                      # both: times, and that the hits are the same
-//! cargo bench --bench recorder_off --no-run             # prints the program's path: $BENCH below
+//! cargo bench -p bench --bench recorder_off                      # both: times, and that the hits are the same
+//! cargo bench -p bench --bench recorder_off --no-run             # prints the program's path: $BENCH below
 //! valgrind --tool=callgrind --callgrind-out-file=/dev/null \
 //!     --toggle-collect='*nearest_of_crate*' $BENCH --crate
 //! valgrind --tool=callgrind --callgrind-out-file=/dev/null \
@@ -89,7 +89,7 @@ fn timed(rays: &[Ray], nearest: impl Fn(&Ray) -> Option<Hit>) -> (Vec<Option<Hit
 }
 
 fn main() {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/nff/teapot-2.nff");
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../data/nff/teapot-2.nff");
     let mut loaded = load(&path).expect("the scene is part of the project");
     loaded.scene.camera.pixels = [SIDE, SIDE];
     let scene = Loaded::build(loaded).expect("the scene is part of the project");

@@ -1,8 +1,8 @@
 //! What recording costs for each event: into memory, as JSON Lines into a file, and read back.
 //!
 //! ```text
-//! cargo bench --bench recording               # all of the table
-//! cargo bench --bench recording -- memory     # the lines whose names hold this word
+//! cargo bench -p bench --bench recording               # all of the table
+//! cargo bench -p bench --bench recording -- memory     # the lines whose names hold this word
 //! ```
 //!
 //! The events are those of some pixels of five scenes in NFF: spheres, cones, polygons, their edges,
@@ -90,7 +90,7 @@ impl Part {
 }
 
 fn scene(name: &str) -> Scene {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/nff");
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../data/nff");
     let mut loaded = load(&folder.join(name).with_extension("nff")).expect(PRESENT);
     loaded.scene.camera.pixels = [SIDE, SIDE];
     loaded.build().expect(PRESENT)
