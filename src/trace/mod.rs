@@ -1,64 +1,25 @@
 //! What happened: events, who records them, and the log that they are kept in.
+//!
+//! Three rooms: `event` says what can happen, `record` who listens to it, `log` how it is written and read.
 
-mod counts;
 mod event;
-mod event_blocks;
-mod fields;
-mod filter;
-mod flat_json;
-mod kind;
-mod kinds;
-mod light;
-mod light_kinds;
-mod light_options;
-mod limits;
-mod line_reader;
-mod line_scanner;
-mod log_error;
-mod log_lines;
-mod log_reader;
-mod log_writer;
-mod name_table;
-mod number_texts;
-mod path_sieve;
-mod ray_tree;
-mod recorder;
-mod scanner;
-mod schema;
-mod search;
-mod search_kinds;
-mod settings;
-mod short_text;
-mod small_numbers;
-mod useful_rays;
-mod words;
+mod log;
+mod record;
 
-pub use counts::{Counts, LightCount, RayCount, SearchCount, TestCount};
 pub use event::{
-    Event, LightTerm, Nearest, Outcome, PixelColour, PixelSample, Purpose, RayEnd, RayStart, Shade,
-    Visibility,
+    Aligned, AlignedPart, Alternative, Arrival, BoundOutcome, BoundTest, Bounded, CellVisit,
+    Connection, Event, Gathered, GridEnter, GridExit, HitOutsideCell, Kind, LightTerm, Nearby,
+    Nearest, NodeOutcome, NodeVisit, Outcome, PathStart, Photon, PhotonFate, PixelColour,
+    PixelSample, Purpose, QueueAction, QueueStep, RayEnd, RayStart, Shade, SlabTest, Stored,
+    Visibility, WalkEnd, ZSort, geometry_term,
 };
-pub use event_blocks::EventBlocks;
-pub use filter::{Budget, Filter, Kinds, Region};
-pub use kind::Kind;
-pub use light::{
-    Alternative, Arrival, Connection, Gathered, Nearby, PathStart, Photon, PhotonFate, Stored,
-    geometry_term,
+pub(crate) use log::{EventWriter, generator, write_event};
+pub use log::{
+    LOG_VERSION, LightOptions, LineSink, LogError, LogNames, LogReader, Settings, StrategyName,
+    Through, Transport, begins_log, scene_schema, trace_schema, write_log_head,
 };
-pub use light_options::LightOptions;
-pub use log_error::LogError;
-pub use log_reader::{LogReader, begins_log};
-pub(crate) use log_writer::{EventWriter, write_event};
-pub use log_writer::{LOG_VERSION, LineSink, LogNames, write_log_head};
-pub use path_sieve::PathSieve;
-pub use ray_tree::{Item, RayNode, RayTree};
-use recorder::Numbering;
-pub use recorder::{Off, Record, Recorder, Recording, Sink};
-pub(crate) use schema::generator;
-pub use schema::{scene_schema, trace_schema};
-pub use search::{
-    Aligned, AlignedPart, BoundOutcome, BoundTest, Bounded, CellVisit, GridEnter, GridExit,
-    HitOutsideCell, NodeOutcome, NodeVisit, QueueAction, QueueStep, SlabTest, WalkEnd, ZSort,
+pub use record::{
+    Budget, Counts, EventBlocks, Filter, Item, Kinds, LightCount, Off, PathSieve, RayCount,
+    RayNode, RayTree, Record, Recorder, Recording, Region, SearchCount, Sink, TestCount,
+    UsefulRays,
 };
-pub use settings::{Settings, StrategyName, Through, Transport};
-pub use useful_rays::UsefulRays;

@@ -1,20 +1,24 @@
 //! The fast way to read a line: straight through, in the order in which the writer writes it.
 //!
 //! A line that is written in any other way, or is damaged, is left to
-//! [`line_reader`](crate::trace::line_reader), which reads all JSON and says what is wrong.
+//! [`line_reader`](crate::trace::log::line_reader), which reads all JSON and says what is wrong.
 
 use crate::scene::PrimitiveId;
-use crate::trace::fields::{Field, Fields, Visitor};
-use crate::trace::line_reader::blank;
-use crate::trace::name_table::NameTable;
-use crate::trace::scanner::Scanner;
+use crate::trace::event::fields::{Field, Fields, Visitor};
+use crate::trace::log::fast::scanner::Scanner;
+use crate::trace::log::line_reader::blank;
+use crate::trace::log::name_table::NameTable;
 use crate::trace::{Kind, Record};
 
 /// Fills in the record that a line holds, if each of its bytes is where the writer puts it.
 ///
 /// Else it gives `None`, and what the record holds means nothing.
 #[inline]
-pub(super) fn scan_event(line: &[u8], names: &NameTable, record: &mut Record) -> Option<()> {
+pub(in crate::trace) fn scan_event(
+    line: &[u8],
+    names: &NameTable,
+    record: &mut Record,
+) -> Option<()> {
     let mut scanner = Scanner::new(std::str::from_utf8(line).ok()?);
     if !scanner.take("{\"kind\":") {
         return None;
@@ -122,8 +126,8 @@ mod tests {
     use super::*;
     use crate::geometry::{QuadraticTest, Root, Roots};
     use crate::scene::{Loaded, Scene, load_bytes};
-    use crate::trace::kind::KindPlace;
-    use crate::trace::line_reader::read_event;
+    use crate::trace::event::kind::KindPlace;
+    use crate::trace::log::line_reader::read_event;
     use crate::trace::{Event, LogNames, write_event};
     use glam::DVec3;
     use std::path::Path;

@@ -104,7 +104,11 @@ impl<S: Sink> Sink for PathSieve<S> {
 }
 
 /// The paths of light that led to a pixel, of records that hold the pixel's own and those of paths.
-pub(super) fn keep_paths_behind(pixel: [u32; 2], settings: &Settings, records: &mut Vec<Record>) {
+pub(in crate::trace) fn keep_paths_behind(
+    pixel: [u32; 2],
+    settings: &Settings,
+    records: &mut Vec<Record>,
+) {
     let region = Region::pixel(pixel);
     if !names_paths(settings) {
         // nothing tells but that the log was made for this pixel

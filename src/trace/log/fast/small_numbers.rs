@@ -1,6 +1,6 @@
 //! The digits of small whole numbers, worked out beforehand: steps, pixels, rays and faces are short.
 
-use crate::trace::short_text::ShortText;
+use crate::trace::log::fast::short_text::ShortText;
 
 /// How many numbers have their digits here: all of up to three. They take 4 kB, an eighth of a first-level cache.
 const COUNT: usize = 1000;
@@ -28,7 +28,7 @@ static DIGITS: [ShortText<3>; COUNT] = {
 
 /// Appends a whole number.
 #[inline]
-pub(super) fn append_whole(number: u32, line: &mut Vec<u8>) {
+pub(in crate::trace) fn append_whole(number: u32, line: &mut Vec<u8>) {
     let Some(digits) = DIGITS.get(number as usize) else {
         line.extend_from_slice(itoa::Buffer::new().format(number).as_bytes());
         return;

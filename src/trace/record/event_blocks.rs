@@ -1,6 +1,7 @@
 //! Events kept in memory that is used again.
 
-use crate::trace::{Event, Numbering, Record, Recorder};
+use crate::trace::record::recorder::Numbering;
+use crate::trace::{Event, Record, Recorder};
 
 /// How many events a block holds: at 128 bytes each, half of a second-level cache of 256 kB.
 const BLOCK: usize = 1024;

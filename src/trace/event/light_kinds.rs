@@ -2,8 +2,8 @@
 
 use glam::DVec3;
 
-use crate::trace::fields::{Fields, Visitor};
-use crate::trace::kinds::object_field;
+use crate::trace::event::fields::{Fields, Visitor};
+use crate::trace::event::kinds::object_field;
 use crate::trace::{Alternative, Arrival, Connection, Gathered, Nearby, PathStart, Photon, Stored};
 
 /// A quantity that follows from others in the line, and stands in it for those who look for it alone.

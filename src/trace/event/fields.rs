@@ -8,22 +8,22 @@ use glam::{DVec2, DVec3};
 use serde_json::{Value, json};
 
 use crate::scene::PrimitiveId;
-use crate::trace::flat_json::Json;
-use crate::trace::kind::KindPlace;
-use crate::trace::number_texts::NumberTexts;
-use crate::trace::scanner::Scanner;
-use crate::trace::short_text::ShortText;
-use crate::trace::small_numbers::append_whole;
+use crate::trace::event::kind::KindPlace;
+use crate::trace::log::fast::number_texts::NumberTexts;
+use crate::trace::log::fast::scanner::Scanner;
+use crate::trace::log::fast::short_text::ShortText;
+use crate::trace::log::fast::small_numbers::append_whole;
+use crate::trace::log::flat_json::Json;
 use crate::trace::{Event, Record};
 
 /// Something with fields in a log line.
-pub(super) trait Fields {
+pub(in crate::trace) trait Fields {
     /// Shows each field to the visitor, in the order of the line.
     fn fields<V: Visitor>(&mut self, visitor: &mut V);
 }
 
 /// Sees each field of an event: writes it, fills it or describes it.
-pub(super) trait Visitor {
+pub(in crate::trace) trait Visitor {
     /// A value that is always there.
     fn field<T: Field>(&mut self, key: &'static str, meaning: &'static str, value: &mut T);
 
@@ -67,13 +67,13 @@ impl Fields for Record {
 impl Record {
     /// Which step it is.
     #[inline]
-    pub(super) fn step_field<V: Visitor>(&mut self, v: &mut V) {
+    pub(in crate::trace) fn step_field<V: Visitor>(&mut self, v: &mut V) {
         v.field("step", "", &mut self.step);
     }
 
     /// What the step belongs to: the same for all steps along a ray but its start.
     #[inline]
-    pub(super) fn place_fields<V: Visitor>(&mut self, v: &mut V) {
+    pub(in crate::trace) fn place_fields<V: Visitor>(&mut self, v: &mut V) {
         match self.event.kind().place() {
             KindPlace::Building => {}
             KindPlace::Pixel => required(&mut self.pixel, "pixel", v),
@@ -94,7 +94,7 @@ impl Record {
 
     /// What happened in it.
     #[inline]
-    pub(super) fn event_fields<V: Visitor>(&mut self, v: &mut V) {
+    pub(in crate::trace) fn event_fields<V: Visitor>(&mut self, v: &mut V) {
         self.event.fields(v);
         match &mut self.event {
             Event::Pixel(sample) => sample.pixel = self.pixel.unwrap_or_default(),
@@ -113,7 +113,7 @@ fn required<T: Field, V: Visitor>(value: &mut Option<T>, key: &'static str, v: &
 }
 
 /// A value of a field, in JSON a scalar or a short list of numbers.
-pub(super) trait Field: Copy + Default {
+pub(in crate::trace) trait Field: Copy + Default {
     /// Appends the value as JSON; `false` if it has none (a number that is not finite).
     fn write(&self, texts: &mut NumberTexts, line: &mut Vec<u8>) -> bool;
 
@@ -327,7 +327,7 @@ impl Field for DVec2 {
 }
 
 /// A value that is one of a few words.
-pub(super) trait Word: Copy + Default + PartialEq + 'static {
+pub(in crate::trace) trait Word: Copy + Default + PartialEq + 'static {
     /// Each value with its word.
     const WORDS: &'static [(Self, &'static str)];
 
@@ -336,7 +336,7 @@ pub(super) trait Word: Copy + Default + PartialEq + 'static {
 }
 
 /// A word and its quotation marks, as a line takes them.
-pub(super) type QuotedWord = ShortText<23>;
+pub(in crate::trace) type QuotedWord = ShortText<23>;
 
 impl<W: Word> Field for W {
     fn write(&self, _: &mut NumberTexts, line: &mut Vec<u8>) -> bool {

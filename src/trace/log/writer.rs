@@ -7,9 +7,9 @@ use smol_str::SmolStr;
 
 use crate::scene::file::{CameraFile, LightFile, Materials, ObjectFile, ShapeFile, SidesFile};
 use crate::scene::{PrimitiveId, Scene, SceneFile};
-use crate::trace::fields::{Field, Visitor};
-use crate::trace::number_texts::NumberTexts;
-use crate::trace::short_text::ShortText;
+use crate::trace::event::fields::{Field, Visitor};
+use crate::trace::log::fast::number_texts::NumberTexts;
+use crate::trace::log::fast::short_text::ShortText;
 use crate::trace::{Kind, Record, Settings, Sink};
 
 /// The version of the log that this program writes and reads.
@@ -18,48 +18,48 @@ pub const LOG_VERSION: u32 = 1;
 /// The first line: how the trace was made, and the scene but for its objects.
 #[derive(Clone, Debug, PartialEq, Serialize, serde::Deserialize, schemars::JsonSchema)]
 #[serde(deny_unknown_fields)]
-pub(super) struct Header {
+pub(in crate::trace) struct Header {
     /// `trace`.
-    pub(super) kind: String,
+    pub(in crate::trace) kind: String,
     /// The version of the format: 1.
-    pub(super) version: u32,
+    pub(in crate::trace) version: u32,
     /// What the scene shows.
     #[serde(default)]
-    pub(super) name: String,
+    pub(in crate::trace) name: String,
     /// How the trace was made.
-    pub(super) settings: Settings,
+    pub(in crate::trace) settings: Settings,
     /// The eye and the window.
-    pub(super) camera: CameraFile,
+    pub(in crate::trace) camera: CameraFile,
     /// The colour of a ray that meets nothing.
-    pub(super) background: [f64; 3],
+    pub(in crate::trace) background: [f64; 3],
     /// The ambient light.
-    pub(super) ambient: [f64; 3],
+    pub(in crate::trace) ambient: [f64; 3],
     /// The point lights.
-    pub(super) lights: Vec<LightFile>,
+    pub(in crate::trace) lights: Vec<LightFile>,
     /// The materials by name.
-    pub(super) materials: Materials,
+    pub(in crate::trace) materials: Materials,
     /// The largest depth of a ray.
-    pub(super) max_depth: u32,
+    pub(in crate::trace) max_depth: u32,
     /// The scene's own set of slabs.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub(super) slabs: Option<Vec<Vec<f64>>>,
+    pub(in crate::trace) slabs: Option<Vec<Vec<f64>>>,
 }
 
 /// A line that describes an object, its mesh inlined.
 #[derive(Clone, Debug, PartialEq, Serialize, serde::Deserialize, schemars::JsonSchema)]
 #[serde(deny_unknown_fields)]
-pub(super) struct ObjectLine {
+pub(in crate::trace) struct ObjectLine {
     /// `object`.
-    pub(super) kind: String,
+    pub(in crate::trace) kind: String,
     /// Its name.
-    pub(super) name: SmolStr,
+    pub(in crate::trace) name: SmolStr,
     /// The name of its material.
-    pub(super) material: SmolStr,
+    pub(in crate::trace) material: SmolStr,
     /// Its form.
-    pub(super) shape: ShapeFile,
+    pub(in crate::trace) shape: ShapeFile,
     /// Which sides of its surface can be seen.
     #[serde(default)]
-    pub(super) sides: SidesFile,
+    pub(in crate::trace) sides: SidesFile,
 }
 
 /// Writes the header and the objects: what a log needs to stand alone.

@@ -4,13 +4,13 @@ use std::io::BufRead;
 
 use crate::scene::file::ObjectFile;
 use crate::scene::{Scene, SceneFile};
-use crate::trace::limits::Limits;
-use crate::trace::line_reader::{Damage, blank, parse_event};
-use crate::trace::log_lines::LogLines;
-use crate::trace::log_writer::{Header, LOG_VERSION, ObjectLine};
-use crate::trace::name_table::NameTable;
-use crate::trace::path_sieve::keep_paths_behind;
-use crate::trace::recorder::{Numbering, Place};
+use crate::trace::log::limits::Limits;
+use crate::trace::log::line_reader::{Damage, blank, parse_event};
+use crate::trace::log::lines::LogLines;
+use crate::trace::log::name_table::NameTable;
+use crate::trace::log::writer::{Header, LOG_VERSION, ObjectLine};
+use crate::trace::record::path_sieve::keep_paths_behind;
+use crate::trace::record::recorder::{Numbering, Place};
 use crate::trace::{Event, Kind, LogError, PathSieve, Record, Region, Settings, Sink};
 
 /// A log that is being read.

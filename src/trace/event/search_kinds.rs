@@ -2,9 +2,9 @@
 
 use crate::geometry::Alignment;
 use crate::structure::{AssignStep, MergeStep, SlabStep};
-use crate::trace::fields::{Fields, Visitor};
-use crate::trace::kinds::{object_field, slab_interval};
-use crate::trace::search::{
+use crate::trace::event::fields::{Fields, Visitor};
+use crate::trace::event::kinds::{object_field, slab_interval};
+use crate::trace::event::search::{
     Aligned, BoundTest, Bounded, CellVisit, GridEnter, GridExit, HitOutsideCell, NodeVisit,
     QueueStep, SlabTest, ZSort,
 };

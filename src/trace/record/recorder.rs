@@ -97,7 +97,7 @@ impl<S: Sink> Sink for &mut S {
 /// Rays nest: between a ray's start and its end lie its own tests and the whole of the rays sent on
 /// from it. So the ray that an event belongs to is the last one started and not ended.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Numbering {
+pub(in crate::trace) struct Numbering {
     pixel: Option<[u32; 2]>,
     path: Option<u32>,
     step: u32,
@@ -117,20 +117,20 @@ struct OpenRay {
 
 /// Where an event belongs, and what its ray's end must say.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Place {
-    pub(super) pixel: Option<[u32; 2]>,
-    pub(super) path: Option<u32>,
-    pub(super) step: u32,
-    pub(super) ray: Option<u32>,
-    pub(super) parent: Option<u32>,
+pub(in crate::trace) struct Place {
+    pub(in crate::trace) pixel: Option<[u32; 2]>,
+    pub(in crate::trace) path: Option<u32>,
+    pub(in crate::trace) step: u32,
+    pub(in crate::trace) ray: Option<u32>,
+    pub(in crate::trace) parent: Option<u32>,
     /// For the end of a ray: the tests that were counted on it, and the hits among them.
-    pub(super) counted: Option<[u32; 2]>,
+    pub(in crate::trace) counted: Option<[u32; 2]>,
 }
 
 impl Numbering {
     /// The event with its place, and a ray's end with the tests that were counted on it.
     #[inline]
-    pub(super) fn number(&mut self, mut event: Event) -> Record {
+    pub(in crate::trace) fn number(&mut self, mut event: Event) -> Record {
         let Place {
             pixel,
             path,
@@ -164,7 +164,7 @@ impl Numbering {
 
     /// The place of the next event.
     #[inline]
-    pub(super) fn place(&mut self, event: &Event) -> Place {
+    pub(in crate::trace) fn place(&mut self, event: &Event) -> Place {
         let mut parent = None;
         let mut counted = None;
         let mut ray = self.innermost.number;

@@ -5,7 +5,7 @@ use crate::geometry::{
     Roots, SlabInterval,
 };
 use crate::scene::{PhongTerm, PrimitiveId};
-use crate::trace::fields::{Fields, Visitor};
+use crate::trace::event::fields::{Fields, Visitor};
 use crate::trace::{Event, LightTerm, Nearest, PixelColour, PixelSample, RayEnd, RayStart, Shade};
 
 impl Fields for Event {
@@ -62,7 +62,11 @@ fn tested<V: Visitor>(object: &mut PrimitiveId, test: &mut impl Fields, v: &mut 
     test.fields(v);
 }
 
-pub(super) fn object_field<V: Visitor>(object: &mut PrimitiveId, meaning: &'static str, v: &mut V) {
+pub(in crate::trace) fn object_field<V: Visitor>(
+    object: &mut PrimitiveId,
+    meaning: &'static str,
+    v: &mut V,
+) {
     let mut some = Some(*object);
     v.object(["object", "face"], meaning, &mut some, true);
     *object = some.unwrap_or_default();
@@ -162,7 +166,7 @@ impl Fields for QuadraticTest {
 
 /// How many roots there are.
 #[derive(Clone, Copy, Default, PartialEq)]
-pub(super) enum RootCount {
+pub(in crate::trace) enum RootCount {
     #[default]
     None,
     Graze,
@@ -214,7 +218,7 @@ fn optional_root<V: Visitor>(root: &mut Option<Root>, [at, fate]: [&'static str;
 
 /// Is a ray parallel to a slab?
 #[derive(Clone, Copy, Default, PartialEq)]
-pub(super) enum Parallel {
+pub(in crate::trace) enum Parallel {
     #[default]
     No,
     Inside,
@@ -222,7 +226,7 @@ pub(super) enum Parallel {
 }
 
 /// Where a ray is inside a slab: whether it is parallel, and if not, near and far.
-pub(super) fn slab_interval<V: Visitor>(
+pub(in crate::trace) fn slab_interval<V: Visitor>(
     slab: &mut SlabInterval,
     [kind, near, far]: [&'static str; 3],
     v: &mut V,
@@ -265,7 +269,7 @@ impl Fields for BoxTest {
 
 /// Is a ray parallel to a plane?
 #[derive(Clone, Copy, Default, PartialEq)]
-pub(super) enum ToPlane {
+pub(in crate::trace) enum ToPlane {
     #[default]
     Meets,
     Beside,

@@ -5,9 +5,9 @@ use schemars::generate::SchemaSettings;
 use serde_json::{Map, Value, json};
 
 use crate::scene::{PrimitiveId, SceneFile};
-use crate::trace::fields::{Field, Fields, Visitor};
-use crate::trace::kind::KindPlace;
-use crate::trace::log_writer::{Header, ObjectLine};
+use crate::trace::event::fields::{Field, Fields, Visitor};
+use crate::trace::event::kind::KindPlace;
+use crate::trace::log::writer::{Header, ObjectLine};
 use crate::trace::{Event, Kind};
 
 /// The JSON Schema (draft 2020-12) of a scene file.
@@ -65,7 +65,7 @@ fn event_schema(kind: Kind) -> Value {
 }
 
 /// The keys that a line of this kind may have.
-pub(super) fn keys_of(kind: Kind) -> Vec<String> {
+pub(in crate::trace) fn keys_of(kind: Kind) -> Vec<String> {
     described(kind)
         .properties
         .into_iter()

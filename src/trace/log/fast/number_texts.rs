@@ -4,7 +4,7 @@
 //! line. Half the numbers of a log have been there before: the coefficients of each plane, the
 //! projected ends of each edge, the origin of a ray, the root that is the hit.
 
-use crate::trace::short_text::ShortText;
+use crate::trace::log::fast::short_text::ShortText;
 
 /// How many numbers are remembered: a power of two, and with 32 bytes each half of what a second-level
 /// cache holds. A quarter of them would forget the planes of a thousand polygons from ray to ray.
@@ -17,7 +17,7 @@ const LONGEST: usize = 23;
 ///
 /// [`NumberTexts::default`] remembers none and takes no memory.
 #[derive(Clone, Debug, Default)]
-pub(super) struct NumberTexts {
+pub(in crate::trace) struct NumberTexts {
     known: Vec<Known>,
     /// The bits of the number that was last formed for each place: whoever comes again is remembered. So the
     /// half that comes once takes no place from the others.
@@ -33,7 +33,7 @@ struct Known {
 
 impl NumberTexts {
     /// Knows none yet and will remember them.
-    pub(super) fn remembering() -> Self {
+    pub(in crate::trace) fn remembering() -> Self {
         // not a number: never asked for
         let bits = f64::NAN.to_bits();
         let text = ShortText::EMPTY;
@@ -45,7 +45,7 @@ impl NumberTexts {
 
     /// Appends a finite number: the shortest digits that read back as it, and `.0` after a whole one.
     #[inline]
-    pub(super) fn append(&mut self, value: f64, line: &mut Vec<u8>) {
+    pub(in crate::trace) fn append(&mut self, value: f64, line: &mut Vec<u8>) {
         // every fourth number is one digit: a normal's 0.0, a unit direction's a = 1.0
         let digit = value.abs() as u8;
         if digit < 10 && f64::from(digit) == value.abs() {

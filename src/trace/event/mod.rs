@@ -4,6 +4,15 @@
 //! tracer fills it. It holds finite numbers and numbers of objects and lights; the log's writer puts
 //! names, and words are made in `explain`.
 
+pub(in crate::trace) mod fields;
+pub(in crate::trace) mod kind;
+mod kinds;
+mod light;
+mod light_kinds;
+mod search;
+mod search_kinds;
+mod words;
+
 use glam::{DVec2, DVec3};
 
 use crate::geometry::{
@@ -11,13 +20,15 @@ use crate::geometry::{
 };
 use crate::scene::{PhongTerm, PrimitiveId};
 use crate::structure::{AssignStep, MergeStep};
-use crate::trace::Kind;
-use crate::trace::light::{
-    Alternative, Arrival, Connection, Gathered, Nearby, PathStart, Photon, Stored,
+
+pub use kind::Kind;
+pub use light::{
+    Alternative, Arrival, Connection, Gathered, Nearby, PathStart, Photon, PhotonFate, Stored,
+    geometry_term,
 };
-use crate::trace::search::{
-    Aligned, BoundTest, CellVisit, GridEnter, GridExit, HitOutsideCell, NodeVisit, QueueStep,
-    SlabTest, ZSort,
+pub use search::{
+    Aligned, AlignedPart, BoundOutcome, BoundTest, Bounded, CellVisit, GridEnter, GridExit,
+    HitOutsideCell, NodeOutcome, NodeVisit, QueueAction, QueueStep, SlabTest, WalkEnd, ZSort,
 };
 
 /// One step of the working. `Copy` and at most 128 bytes, so that a record of many is one block.

@@ -5,11 +5,11 @@ use std::io::{self, BufRead};
 use memchr::memchr;
 
 use crate::trace::LogError;
-use crate::trace::line_reader::Damage;
+use crate::trace::log::line_reader::Damage;
 
 /// The lines of an input, and where it stands.
 #[derive(Debug)]
-pub(super) struct LogLines<R> {
+pub(in crate::trace) struct LogLines<R> {
     file: String,
     input: R,
     /// The number of the line that was read last, from 1.
@@ -32,7 +32,7 @@ enum LastLine {
 
 impl<R: BufRead> LogLines<R> {
     /// The lines of this input; its name is for errors.
-    pub(super) fn new(file: &str, input: R) -> Self {
+    pub(in crate::trace) fn new(file: &str, input: R) -> Self {
         Self {
             file: file.into(),
             input,
@@ -44,7 +44,7 @@ impl<R: BufRead> LogLines<R> {
     }
 
     /// The name of the input.
-    pub(super) fn file(&self) -> &str {
+    pub(in crate::trace) fn file(&self) -> &str {
         &self.file
     }
 
@@ -53,7 +53,7 @@ impl<R: BufRead> LogLines<R> {
     /// # Errors
     /// An input that cannot be read, and a line that was cut off.
     #[inline]
-    pub(super) fn next(&mut self) -> Result<Option<&[u8]>, LogError> {
+    pub(in crate::trace) fn next(&mut self) -> Result<Option<&[u8]>, LogError> {
         if !std::mem::take(&mut self.again) {
             if let LastLine::Buffered(length) = self.last {
                 self.input.consume(length);
@@ -79,12 +79,12 @@ impl<R: BufRead> LogLines<R> {
     }
 
     /// Gives the last line again as the next one.
-    pub(super) fn put_back(&mut self) {
+    pub(in crate::trace) fn put_back(&mut self) {
         self.again = true;
     }
 
     /// The error that the last line is damaged.
-    pub(super) fn damaged(&self, damage: Damage) -> LogError {
+    pub(in crate::trace) fn damaged(&self, damage: Damage) -> LogError {
         damage.at(&self.file, self.number)
     }
 

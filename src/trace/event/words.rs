@@ -2,8 +2,8 @@
 
 use crate::geometry::{Axis, DecidedBy, Fate};
 use crate::structure::{Across, Share, SlabOutcome, VolumeKind};
-use crate::trace::fields::{QuotedWord, Word};
-use crate::trace::kinds::{Parallel, RootCount, ToPlane};
+use crate::trace::event::fields::{QuotedWord, Word};
+use crate::trace::event::kinds::{Parallel, RootCount, ToPlane};
 use crate::trace::{
     AlignedPart, BoundOutcome, NodeOutcome, Outcome, PhotonFate, Purpose, QueueAction, Visibility,
     WalkEnd,

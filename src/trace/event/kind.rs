@@ -5,15 +5,15 @@ use crate::geometry::{
 };
 use crate::scene::PrimitiveId;
 use crate::structure::{AssignStep, MergeStep};
-use crate::trace::event::{
-    Event, LightTerm, Nearest, PixelColour, PixelSample, RayEnd, RayStart, Shade,
-};
-use crate::trace::light::{
+use crate::trace::event::light::{
     Alternative, Arrival, Connection, Gathered, Nearby, PathStart, Photon, Stored,
 };
-use crate::trace::search::{
+use crate::trace::event::search::{
     Aligned, BoundTest, CellVisit, GridEnter, GridExit, HitOutsideCell, NodeVisit, QueueStep,
     SlabTest, ZSort,
+};
+use crate::trace::event::{
+    Event, LightTerm, Nearest, PixelColour, PixelSample, RayEnd, RayStart, Shade,
 };
 
 /// The name of each event.

@@ -1,21 +1,21 @@
 //! One line of a log back into a record, or the first thing that is wrong with it.
 
 use crate::scene::{PrimitiveId, nearest_name};
-use crate::trace::fields::{Field, Fields, Visitor};
-use crate::trace::flat_json::{FlatJson, Json};
-use crate::trace::line_scanner::scan_event;
-use crate::trace::name_table::NameTable;
+use crate::trace::event::fields::{Field, Fields, Visitor};
+use crate::trace::log::fast::line_scanner::scan_event;
+use crate::trace::log::flat_json::{FlatJson, Json};
+use crate::trace::log::name_table::NameTable;
 use crate::trace::{Kind, LogError, Record};
 
 /// What is wrong in a line.
-pub(super) struct Damage {
-    pub(super) column: Option<usize>,
-    pub(super) what: String,
+pub(in crate::trace) struct Damage {
+    pub(in crate::trace) column: Option<usize>,
+    pub(in crate::trace) what: String,
 }
 
 impl Damage {
     /// Damage to a line that is JSON.
-    pub(super) fn new(what: impl Into<String>) -> Self {
+    pub(in crate::trace) fn new(what: impl Into<String>) -> Self {
         Self {
             column: None,
             what: what.into(),
@@ -23,7 +23,7 @@ impl Damage {
     }
 
     /// What `serde_json` said, with its place taken out of the sentence.
-    pub(super) fn json(error: &serde_json::Error) -> Self {
+    pub(in crate::trace) fn json(error: &serde_json::Error) -> Self {
         let message = error.to_string();
         let end = message.rfind(" at line ").unwrap_or(message.len());
         Self {
@@ -33,7 +33,7 @@ impl Damage {
     }
 
     /// The error, with its place.
-    pub(super) fn at(self, file: &str, line: usize) -> LogError {
+    pub(in crate::trace) fn at(self, file: &str, line: usize) -> LogError {
         LogError::Line {
             file: file.into(),
             line,
@@ -45,7 +45,7 @@ impl Damage {
 
 /// Fills in the record that a line holds: in its place, for to copy a record takes as long as to read a number.
 #[inline]
-pub(super) fn parse_event(
+pub(in crate::trace) fn parse_event(
     line: &[u8],
     names: &NameTable,
     record: &mut Record,
@@ -57,7 +57,7 @@ pub(super) fn parse_event(
 }
 
 /// The same for a line whose keys stand in any order, and in whatever form JSON allows.
-pub(super) fn read_event(line: &[u8], names: &NameTable) -> Result<Record, Damage> {
+pub(in crate::trace) fn read_event(line: &[u8], names: &NameTable) -> Result<Record, Damage> {
     if line.trim_ascii().is_empty() {
         return Err(Damage::new("the line is empty"));
     }
@@ -87,7 +87,7 @@ pub(super) fn read_event(line: &[u8], names: &NameTable) -> Result<Record, Damag
 
 /// A record of this kind with nothing in it.
 #[inline]
-pub(super) fn blank(kind: Kind) -> Record {
+pub(in crate::trace) fn blank(kind: Kind) -> Record {
     Record {
         pixel: None,
         path: None,
@@ -114,7 +114,7 @@ impl LineReader<'_> {
             return Ok(());
         }
         // something is left over: ask for the key that the kind does not have
-        let known = crate::trace::schema::keys_of(kind);
+        let known = crate::trace::log::schema::keys_of(kind);
         let extra = self
             .fields
             .keys()
