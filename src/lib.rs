@@ -106,6 +106,6 @@ pub use trace::{
 };
 pub use tracer::{
     EPSILON, Heat, HeatLine, HeatOf, LightError, LightPass, LogOptions, LogStopped, LoggedPaths,
-    MOST_SURFACES, Picture, StoredLight, StoredPhoton, Tracer, check_light, eye_samples,
-    heat_values, paths_behind, render, start_epsilon, trace_pixel, write_log,
+    MOST_SURFACES, Picture, StoredLight, StoredPhoton, Surface, Tracer, check_light, eye_samples,
+    heat_values, paths_behind, render, simple, start_epsilon, trace_pixel, write_log,
 };

@@ -18,6 +18,7 @@ mod refraction_table;
 mod scene_format;
 mod schema;
 mod seeded;
+mod simple_tracer;
 mod sphere_exact;
 mod strategies;
 mod trace_log;

@@ -142,7 +142,14 @@ impl Camera {
     /// The eye ray through a place on the window, of unit length, and the t at which it passes the
     /// window (erratum 4).
     pub fn eye_ray(&self, x: f64, y: f64) -> (Ray, f64) {
-        let through = Ray::new(self.cop, self.to_window(x, y));
+        self.ray_through(self.to_window(x, y))
+    }
+
+    /// The ray from the COP through a point of the window, of unit length, and the t at which it passes that point.
+    ///
+    /// The point is given relative to the COP, as [`Camera::to_window`] returns it.
+    pub fn ray_through(&self, to_window: DVec3) -> (Ray, f64) {
+        let through = Ray::new(self.cop, to_window);
         // the window is off the COP by more than rounding, so that the direction has a length
         through.normalised().unwrap_or((through, 1.0))
     }
@@ -185,8 +192,9 @@ impl Camera {
         self.right.cross(self.up).length() / (width * height)
     }
 
-    /// P − COP.
-    fn to_window(self, x: f64, y: f64) -> DVec3 {
+    /// P − COP: the same point, relative to the COP. So an eye far from the world's origin sees as finely as one close
+    /// to it.
+    pub fn to_window(self, x: f64, y: f64) -> DVec3 {
         let [width, height] = self.pixels.map(f64::from);
         self.to_corner + (x / width) * self.right + (1.0 - y / height) * self.up
     }

@@ -3,39 +3,51 @@
 use glam::DVec3;
 
 use crate::geometry::{Ray, Refraction, TRange, refract};
-use crate::scene::{Material, PrimitiveId};
+use crate::scene::{Material, Normals, PrimitiveId, Scene};
 use crate::strategy::{Hit, Strategy};
 use crate::trace::{Event, Purpose, RayStart, Recorder};
 use crate::tracer::Tracer;
 use crate::tracer::epsilon::start_epsilon;
 
-/// A point on a surface.
-#[derive(Clone, Copy)]
-pub(super) struct Surface<'a> {
-    pub(super) object: PrimitiveId,
-    pub(super) material: &'a Material,
-    pub(super) point: DVec3,
+/// A point on a surface where a ray hits it, with what shading and spawned rays need.
+#[derive(Clone, Copy, Debug)]
+pub struct Surface<'a> {
+    /// The primitive that was hit.
+    pub object: PrimitiveId,
+    /// Its material.
+    pub material: &'a Material,
+    /// p, in world coordinates.
+    pub point: DVec3,
     /// N: the unit normal to shade with, on the side that the ray comes from.
-    pub(super) normal: DVec3,
+    pub normal: DVec3,
     /// The unit normal across the surface itself, on the same side. It differs where a mesh is shaded smoothly.
-    pub(super) across: DVec3,
+    pub across: DVec3,
     /// The ray meets the back of the surface: from inside, in a solid.
-    pub(super) back: bool,
-    /// Unit direction of the ray that met the surface.
-    pub(super) incoming: DVec3,
-    /// Depth of that ray.
-    pub(super) depth: u32,
-    /// ε for rays that start here.
-    pub(super) epsilon: f64,
+    pub back: bool,
+    /// Unit direction of the ray that hit the surface.
+    pub incoming: DVec3,
+    /// Depth of that ray; an eye ray has depth 1.
+    pub depth: u32,
+    /// ε: the smallest t that counts for rays that start here.
+    pub epsilon: f64,
 }
 
 impl<S: Strategy> Tracer<'_, S> {
     /// The surface that a ray has met.
     pub(super) fn surface(&self, start: &RayStart, hit: Hit) -> Surface<'_> {
-        let shape = &self.scene.primitive(hit.object).shape;
         let point = start.ray.at(hit.t);
-        let normals = shape.normals(point);
-        let incoming = start.ray.direction;
+        let normals = self.scene.primitive(hit.object).shape.normals(point);
+        Surface::new(self.scene, &start.ray, start.depth, hit, normals)
+    }
+}
+
+impl<'a> Surface<'a> {
+    /// The surface that a ray of this depth hits, with its unit normals at that point. They are turned to the side
+    /// that the ray comes from.
+    pub fn new(scene: &'a Scene, ray: &Ray, depth: u32, hit: Hit, normals: Normals) -> Self {
+        let shape = &scene.primitive(hit.object).shape;
+        let point = ray.at(hit.t);
+        let incoming = ray.direction;
         let back = 0.0 < incoming.dot(normals.geometric);
         let turned = |normal: DVec3| if back { -normal } else { normal };
         // a smooth normal that leans away from the viewer would light the surface from behind
@@ -46,15 +58,15 @@ impl<S: Strategy> Tracer<'_, S> {
         } else {
             across
         };
-        Surface {
+        Self {
             object: hit.object,
-            material: self.scene.material_of(hit.object),
+            material: scene.material_of(hit.object),
             point,
             normal,
             across,
             back,
             incoming,
-            depth: start.depth,
+            depth,
             epsilon: start_epsilon(point, hit.t, shape.reach()),
         }
     }
@@ -81,16 +93,21 @@ impl Surface<'_> {
         }
     }
 
-    /// Snell's law at this surface.
+    /// n₁ and n₂: the refractive indices on the side that the ray comes from and on the other side.
     ///
-    /// Outside of every object the index is 1: what lies in another object is not told apart.
-    pub(super) fn refraction<R: Recorder>(&self, normal: DVec3, recorder: &mut R) -> Refraction {
+    /// Outside of every object the index is 1, also where another object contains the point.
+    pub fn indices(&self) -> [f64; 2] {
         let index = self.material.index;
-        let (from, to) = if self.back {
-            (index, 1.0)
+        if self.back {
+            [index, 1.0]
         } else {
-            (1.0, index)
-        };
+            [1.0, index]
+        }
+    }
+
+    /// Snell's law at this surface.
+    pub(super) fn refraction<R: Recorder>(&self, normal: DVec3, recorder: &mut R) -> Refraction {
+        let [from, to] = self.indices();
         let refraction = refract(self.incoming, normal, from, to);
         recorder.note(|| Event::Refraction(refraction));
         refraction
