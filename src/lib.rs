@@ -30,13 +30,13 @@
 //!
 //! use raystep::{Exhaustive, Recording, Settings, Through, Tracer, Transport, WorkedOptions};
 //!
-//! # fn main() -> Result<(), raystep::LoadError> {
+//! # fn main() -> Result<(), Box<dyn std::error::Error>> {
 //! let scene = raystep::load(Path::new("lessons/04-sphere/scene.json"))?.build()?;
 //! let strategy = Exhaustive::new(&scene);
 //! let tracer = Tracer::new(&scene, &strategy, Transport::HybridLight);
 //!
 //! let mut recording = Recording::new(Vec::new());
-//! raystep::trace_pixel(&tracer, [80, 60], Through::Centres, &mut recording);
+//! raystep::trace_pixel(&tracer, [80, 60], Through::Centres, &mut recording)?;
 //! let records = recording.into_sink();
 //!
 //! let options = WorkedOptions::default();
@@ -75,7 +75,7 @@ pub use geometry::{
     mean_value_weights, polygon_in_rectangle, reflect, refract, slab_directions,
 };
 pub use lesson::{
-    FigureName, Lesson, LessonError, LessonFile, Library, compare, compare_transports,
+    FigureName, Lesson, LessonError, LessonFile, Library, NotCompared, compare, compare_transports,
     lesson_schema, light_of_lamps, scan_lines_to_compare, trace_figure,
 };
 pub use scene::{
@@ -106,6 +106,7 @@ pub use trace::{
 };
 pub use tracer::{
     EPSILON, Heat, HeatLine, HeatOf, LightError, LightPass, LogOptions, LogStopped, LoggedPaths,
-    MOST_SURFACES, Picture, StoredLight, StoredPhoton, Surface, Tracer, check_light, eye_samples,
-    heat_values, paths_behind, render, simple, start_epsilon, trace_pixel, write_log,
+    MAX_RAYS, MOST_SURFACES, Picture, Stopped, StoredLight, StoredPhoton, Surface, Tracer,
+    check_light, eye_samples, heat_values, paths_behind, render, simple, start_epsilon,
+    trace_pixel, write_log,
 };

@@ -5,6 +5,7 @@
 )]
 
 mod arguments;
+mod endless;
 mod lessons;
 pub(crate) mod light;
 mod nff_and_obj;

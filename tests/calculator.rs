@@ -237,7 +237,7 @@ fn solution(scene: &str, pixel: [u32; 2], settings: &Settings) -> String {
     if settings.building {
         strategy.note_building(&mut recording);
     }
-    trace_pixel(&tracer, pixel, Through::Centres, &mut recording);
+    trace_pixel(&tracer, pixel, Through::Centres, &mut recording).unwrap();
     let options = WorkedOptions {
         all: true,
         ..WorkedOptions::default()

@@ -328,7 +328,7 @@ fn the_slides_example_takes_as_many_tests_as_the_slides_say() {
     let scene = lesson();
     let strategy = Exhaustive::new(&scene);
     let tracer = Tracer::new(&scene, &strategy, Transport::Backward);
-    let (_, lines) = render::<_, Counts>(&tracer, Through::Centres, |_| {});
+    let (_, lines) = render::<_, Counts>(&tracer, Through::Centres, |_| {}).unwrap();
     let tests: u64 = lines.iter().map(Counts::objects_tested).sum();
     assert_eq!(tests, 104_857_600);
 }

@@ -42,7 +42,7 @@ fn counts_of(name: &str) -> Counts {
 
 fn counts_with(scene: &Scene, strategy: &impl Strategy) -> Counts {
     let tracer = Tracer::new(scene, strategy, Transport::HybridLight);
-    let (_, lines) = render::<_, Counts>(&tracer, Through::Corners, |_| {});
+    let (_, lines) = render::<_, Counts>(&tracer, Through::Corners, |_| {}).unwrap();
     let mut sum = Counts::default();
     for line in &lines {
         sum.add(line);

@@ -1,7 +1,10 @@
 //! Recording: it never changes a colour, and what it hears adds up.
 
+mod stopped;
 mod strategies;
 mod sums;
+
+use std::ops::ControlFlow;
 
 use glam::DVec3;
 use raystep::{
@@ -55,14 +58,14 @@ fn pixel_by_pixel<R: Recorder>(
     let [width, height] = scene.camera.pixels;
     (0..height)
         .flat_map(|y| (0..width).map(move |x| [x, y]))
-        .map(|pixel| bits(trace_pixel(&tracer, pixel, settings.through, recorder)))
+        .map(|pixel| bits(trace_pixel(&tracer, pixel, settings.through, recorder).unwrap()))
         .collect()
 }
 
 /// The colours of a picture.
 fn picture<R: Recorder + Default + Send>(scene: &Scene, settings: &Settings) -> Vec<[u64; 3]> {
     let (picture, _) = on(scene, settings, |tracer| {
-        render::<_, R>(tracer, settings.through, |_| {})
+        render::<_, R>(tracer, settings.through, |_| {}).unwrap()
     });
     picture.colours.into_iter().map(bits).collect()
 }
@@ -72,7 +75,9 @@ fn picture<R: Recorder + Default + Send>(scene: &Scene, settings: &Settings) -> 
 struct Forgets;
 
 impl raystep::Sink for Forgets {
-    fn record(&mut self, _: &Record) {}
+    fn record(&mut self, _: &Record) -> ControlFlow<()> {
+        ControlFlow::Continue(())
+    }
 }
 
 #[track_caller]
@@ -154,7 +159,7 @@ fn scan_lines_counts_add_up_to_those_of_the_picture() {
             pixel_by_pixel(&scene, &way, &mut whole);
             let lines_through = |through| {
                 on(&scene, &way, |tracer| {
-                    render::<_, Counts>(tracer, through, |_| {}).1
+                    render::<_, Counts>(tracer, through, |_| {}).unwrap().1
                 })
             };
             let mut sum = Counts::default();
@@ -190,7 +195,7 @@ fn check_pixels(scene: &Scene, settings: &Settings) {
     on(scene, settings, |tracer| {
         let mut recording = Recording::new(Vec::new());
         for pixel in (0..height).flat_map(|y| (0..width).map(move |x| [x, y])) {
-            let colour = trace_pixel(tracer, pixel, settings.through, &mut recording);
+            let colour = trace_pixel(tracer, pixel, settings.through, &mut recording).unwrap();
             let records = std::mem::take(recording.sink_mut());
             sums::check_pixel(scene, settings, pixel, &records);
             let Some(Event::PixelColour(last)) = records.last().map(|record| record.event) else {

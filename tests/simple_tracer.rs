@@ -39,6 +39,7 @@ fn reference(scene: &Scene, transport: Transport) -> Vec<DVec3> {
     let strategy = Exhaustive::new(scene);
     let tracer = Tracer::new(scene, &strategy, transport);
     render::<_, Off>(&tracer, Through::Centres, |_| {})
+        .unwrap()
         .0
         .colours
 }

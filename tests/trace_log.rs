@@ -117,7 +117,7 @@ pub(crate) fn records(scene: &Scene, settings: &Settings, pixel: [u32; 2]) -> Ve
     if settings.building {
         strategy.note_building(&mut recording);
     }
-    trace_pixel(&tracer, pixel, settings.through, &mut recording);
+    trace_pixel(&tracer, pixel, settings.through, &mut recording).unwrap();
     recording.into_sink()
 }
 

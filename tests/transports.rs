@@ -45,7 +45,7 @@ fn light_pass<R: Recorder + Default + Send>(
     check_light(scene, &strategy, settings).unwrap();
     let mut heard = Vec::new();
     let hears = |recorder| heard.push(recorder);
-    let light = LightPass::new::<_, R>(scene, &strategy, settings, None, hears, |_| {});
+    let light = LightPass::new::<_, R>(scene, &strategy, settings, None, hears, |_| {}).unwrap();
     (light.unwrap(), heard)
 }
 
@@ -55,7 +55,9 @@ fn picture(scene: &Scene, settings: &Settings) -> Picture {
     let (light, _) = light_pass::<Off>(scene, settings);
     let strategy = Exhaustive::new(scene);
     let tracer = Tracer::new(scene, &strategy, settings.transport).with_light(Some(&light));
-    render::<_, Off>(&tracer, settings.through, |_| {}).0
+    render::<_, Off>(&tracer, settings.through, |_| {})
+        .unwrap()
+        .0
 }
 
 /// Pictures that differ in their seed alone, from 1 on.

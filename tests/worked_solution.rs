@@ -43,7 +43,7 @@ fn records(scene: &Scene) -> Vec<Record> {
     let strategy = Exhaustive::new(scene);
     let tracer = Tracer::new(scene, &strategy, Transport::HybridLight);
     let mut recording = Recording::new(Vec::new());
-    trace_pixel(&tracer, [0, 0], Through::Centres, &mut recording);
+    trace_pixel(&tracer, [0, 0], Through::Centres, &mut recording).unwrap();
     recording.into_sink()
 }
 

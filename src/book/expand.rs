@@ -9,9 +9,12 @@ use crate::book::value::value;
 use crate::explain::{WorkedOptions, worked_solution};
 use crate::figure::FigureSpec;
 use crate::figure::{Rendition, Traced, Width};
-use crate::lesson::{FigureName, Lesson, Library, compare, compare_transports, light_of_lamps};
+use crate::lesson::{
+    FigureName, Lesson, Library, NotCompared, compare, compare_transports, light_of_lamps,
+};
 use crate::scene::nearest_name;
 use crate::trace::{Kind, Kinds};
+use crate::tracer::{MAX_RAYS, Stopped};
 
 /// Follows directives; what a figure is drawn from is traced once for all that name it.
 pub(super) struct Expander<'a> {
@@ -275,6 +278,11 @@ fn only(names: &str) -> Result<Kinds, String> {
     Ok(Kinds::of(&kinds))
 }
 
+/// A tree of rays that does not end, as a mistake in a directive.
+fn too_many_rays(stopped: Stopped) -> String {
+    format!("{stopped}\n  lower the scene's \"max_depth\", or its reflection and transmission")
+}
+
 /// What every strategy costs on the figure's pixel, or on its picture; or what each kind of ray tracing costs and
 /// brings.
 fn table(named: &Named, words: &[String]) -> Result<String, String> {
@@ -292,11 +300,15 @@ fn table(named: &Named, words: &[String]) -> Result<String, String> {
     } = first(named)?;
     let (title, rows) = if transports {
         let scene = light_of_lamps(scene.clone());
-        let comparison = compare_transports(&scene, settings, |_| {})
-            .map_err(|fault| format!("{fault}: {}", fault.fix()))?;
+        let comparison = compare_transports(&scene, settings, MAX_RAYS, |_| {});
+        let comparison = comparison.map_err(|error| match error {
+            NotCompared::Light(fault) => format!("{fault}: {}", fault.fix()),
+            NotCompared::Stopped { stopped, .. } => too_many_rays(stopped),
+        })?;
         (comparison.title(), comparison.rows())
     } else {
-        let comparison = compare(scene, settings, pixel, |_| {});
+        let comparison =
+            compare(scene, settings, pixel, MAX_RAYS, |_| {}).map_err(too_many_rays)?;
         (comparison.title(), comparison.rows())
     };
     let row = |cells: &[String], tag: &str| {

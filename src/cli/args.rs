@@ -123,6 +123,9 @@ pub(crate) struct Casting {
     /// Largest depth of a ray, in place of the scene's; eye rays have depth 1
     #[arg(long, value_name = "N")]
     pub(crate) max_depth: Option<u32>,
+    /// Rays that one pixel may take; beyond it the command ends with an error [default: 1000000]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
+    pub(crate) max_rays: Option<u64>,
     /// Opaque objects show only their front
     #[arg(long)]
     pub(crate) one_sided: bool,
@@ -199,8 +202,8 @@ pub(crate) struct PixelArgs {
     /// Every test, also where many in a row miss
     #[arg(long)]
     pub(crate) all: bool,
-    /// How many events the pixel may have
-    #[arg(long, value_name = "N", default_value_t = 10_000_000)]
+    /// How many events the pixel may have: all are kept in memory, 168 bytes each
+    #[arg(long, value_name = "N", default_value_t = 2_000_000)]
     pub(crate) budget: u64,
     /// Text, or JSON with the tree of rays
     #[arg(long, value_enum, default_value = "text", hide_possible_values = true)]

@@ -3,8 +3,8 @@
 use std::time::Instant;
 
 use raystep::{
-    Exhaustive, Loaded, Transport, check_light, compare, compare_transports, cost_chart,
-    light_of_lamps, scan_lines_to_compare,
+    Exhaustive, Loaded, NotCompared, Transport, check_light, compare, compare_transports,
+    cost_chart, light_of_lamps, scan_lines_to_compare,
 };
 
 use crate::cli::Error;
@@ -40,9 +40,12 @@ pub(crate) fn run(args: &CompareArgs) -> Result<(), Error> {
     tell_notes(&args.scene, check_light(scene, &strategy, settings))?;
     let bar = bar(scan_lines_to_compare(scene, settings, pixel));
     let comparison = on_threads(args.threads, || {
-        compare(scene, settings, pixel, |done| bar.set_position(done))
+        compare(scene, settings, pixel, ready.max_rays, |done| {
+            bar.set_position(done);
+        })
     })?;
     bar.finish_and_clear();
+    let comparison = comparison.map_err(|stopped| ready.stopped(stopped))?;
     if let Some(chart) = chart {
         chart.write_whole(cost_chart(CHART_ID, &comparison).as_bytes())?;
     }
@@ -77,12 +80,15 @@ fn transports(args: &CompareArgs) -> Result<(), Error> {
     let bar = bar_of(Transport::ALL.len() as u64, "kinds of ray tracing");
     let compared = on_threads(args.threads, || {
         let done = |done| bar.set_position(done);
-        compare_transports(&scene, &ready.settings, done)
+        compare_transports(&scene, &ready.settings, ready.max_rays, done)
     })?;
     bar.finish_and_clear();
-    let comparison = compared.map_err(|fault| Error::Light {
-        file: input::name_of(&args.scene),
-        fault,
+    let comparison = compared.map_err(|error| match error {
+        NotCompared::Light(fault) => Error::Light {
+            file: input::name_of(&args.scene),
+            fault,
+        },
+        NotCompared::Stopped { transport, stopped } => Error::Stopped { stopped, transport },
     })?;
     let table = match args.format {
         TableFormat::Text => comparison.text(),

@@ -4,8 +4,8 @@ use std::fmt;
 use std::io;
 
 use raystep::{
-    BookError, Fault, GridError, LessonError, LightError, LoadError, LogError, Region,
-    StructureError,
+    BookError, Fault, GridError, LessonError, LightError, LoadError, LogError, Region, Stopped,
+    StructureError, Transport,
 };
 
 /// Why a command did not do what it was asked to.
@@ -112,6 +112,13 @@ pub(crate) enum Error {
         /// The budget.
         budget: u64,
     },
+    /// A trace did not come to its end.
+    Stopped {
+        /// Why.
+        stopped: Stopped,
+        /// Which rays were cast.
+        transport: Transport,
+    },
     /// Two things would go to standard output.
     StandardOutputTwice {
         /// What to do about it.
@@ -130,11 +137,6 @@ pub(crate) enum Error {
     Write {
         /// The target, as it was given.
         file: String,
-        /// What the system said.
-        source: io::Error,
-    },
-    /// The thread that traces could not be started.
-    Thread {
         /// What the system said.
         source: io::Error,
     },
@@ -235,6 +237,10 @@ impl fmt::Display for Error {
                 "there are more events than the budget of {budget}\n  \
                  narrow the trace with --region or --only, lower --max-depth, or raise --budget"
             ),
+            Self::Stopped { stopped, transport } => {
+                let fewer = option_for_fewer_rays(*transport);
+                write!(f, "{stopped}\n  lower {fewer}, or raise --max-rays")
+            }
             Self::StandardOutputTwice { fix } => write!(
                 f,
                 "--stats=json writes to standard output, and so does the command itself\n  {fix}"
@@ -252,10 +258,6 @@ impl fmt::Display for Error {
                 };
                 write!(f, "{file}: cannot be written: {source}\n  {fix}")
             }
-            Self::Thread { source } => write!(
-                f,
-                "the tracing cannot be started: {source}\n  make memory free and try again"
-            ),
             Self::Threads { source } => {
                 write!(
                     f,
@@ -267,6 +269,15 @@ impl fmt::Display for Error {
 }
 
 impl std::error::Error for Error {}
+
+/// The option that lowers the number of rays of a pixel.
+fn option_for_fewer_rays(transport: Transport) -> &'static str {
+    match transport {
+        // its paths end by chance, and branch nowhere
+        Transport::HybridConnected => "--samples or --bounces",
+        _ => "--max-depth",
+    }
+}
 
 /// The option that a structure cannot be built with, if there is one alone.
 fn option_of(fault: &StructureError) -> Option<&'static str> {

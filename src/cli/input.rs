@@ -6,7 +6,8 @@ use std::path::Path;
 use std::time::{Duration, Instant};
 
 use raystep::{
-    Chosen, Fault, LoadError, Loaded, LogReader, Scene, Settings, begins_log, load_bytes,
+    Chosen, Fault, LoadError, Loaded, LogReader, MAX_RAYS, Scene, Settings, Stopped, begins_log,
+    load_bytes,
 };
 
 use crate::cli::Error;
@@ -31,6 +32,8 @@ pub(crate) struct Ready {
     pub(crate) scene: Scene,
     /// How it is to be traced.
     pub(crate) settings: Settings,
+    /// How many rays one pixel may take.
+    pub(crate) max_rays: u64,
     /// How long it took to read and check it.
     pub(crate) loading: Duration,
 }
@@ -44,6 +47,12 @@ impl Ready {
             ..
         } = &self.settings;
         Chosen::new(&self.scene, *strategy, structure).map_err(|fault| Error::Structure { fault })
+    }
+
+    /// Why its trace did not come to its end.
+    pub(crate) fn stopped(&self, stopped: Stopped) -> Error {
+        let transport = self.settings.transport;
+        Error::Stopped { stopped, transport }
     }
 }
 
@@ -152,6 +161,7 @@ pub(crate) fn ready_for_all(
     Ok(Ready {
         scene,
         settings,
+        max_rays: tracing.casting.max_rays.unwrap_or(MAX_RAYS),
         loading: started.elapsed(),
     })
 }

@@ -48,5 +48,6 @@ pub(crate) fn light_pass<S: Strategy, R: Recorder + Default + Send>(
         })
     });
     bar.finish_and_clear();
-    Ok((light?, heard))
+    let light = light?.map_err(|stopped| ready.stopped(stopped))?;
+    Ok((light, heard))
 }

@@ -26,17 +26,28 @@ const CAST_EYE_RAYS: &[Transport] = &[
     Transport::HybridLight,
     Transport::HybridStored,
 ];
+const CAST_FROM_PIXELS: &[Transport] = &[
+    Transport::Backward,
+    Transport::HybridLight,
+    Transport::HybridStored,
+    Transport::HybridConnected,
+];
 const SHARE_PATHS: &[Transport] = &[Transport::Forward, Transport::HybridStored];
 const FORWARD: &[Transport] = &[Transport::Forward];
 const STORED: &[Transport] = &[Transport::HybridStored];
 const CONNECTED: &[Transport] = &[Transport::HybridConnected];
 
 /// All of them, in the order of the help.
-pub(crate) const LIGHT_OPTIONS: [LightOption; 9] = [
+pub(crate) const LIGHT_OPTIONS: [LightOption; 10] = [
     LightOption {
         name: "--max-depth",
         is_given: |casting| casting.max_depth.is_some(),
         users: CAST_EYE_RAYS,
+    },
+    LightOption {
+        name: "--max-rays",
+        is_given: |casting| casting.max_rays.is_some(),
+        users: CAST_FROM_PIXELS,
     },
     LightOption {
         name: "--through",

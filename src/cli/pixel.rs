@@ -2,14 +2,14 @@
 
 use std::collections::BTreeSet;
 use std::io::Write;
-use std::path::{Path, PathBuf};
-use std::sync::mpsc;
+use std::path::Path;
 use std::time::Instant;
 
 use anstream::{AutoStream, ColorChoice};
 use raystep::{
-    Kind, Kinds, Off, Record, Recording, Region, Scene, Settings, Sink, Strategy, Tracer,
-    WorkedOptions, paths_behind, pixel_json, trace_pixel, worked_solution,
+    Budget, Kind, Kinds, Off, Record, Recorder, Recording, Region, Scene, Settings, Stopped,
+    Strategy, Through, Tracer, WorkedOptions, paths_behind, pixel_json, trace_pixel,
+    worked_solution,
 };
 
 use crate::cli::Error;
@@ -39,7 +39,7 @@ pub(crate) fn run(args: &PixelArgs) -> Result<(), Error> {
         Input::Scene(loaded) => {
             let ready = input::ready(*loaded, &args.tracing, started)?;
             let pixel = inside(args.pixel, &ready.scene)?;
-            trace(args.scene.clone(), ready, pixel, args.budget)?
+            trace(&args.scene, ready, pixel, args.budget)?
         }
         Input::Log(log) => {
             input::refuse_tracing(&args.scene, &args.tracing)?;
@@ -83,76 +83,29 @@ pub(crate) fn inside(pixel: [u64; 2], scene: &Scene) -> Result<[u32; 2], Error> 
     }
 }
 
-/// Traces the pixel on a thread of its own: a tree of rays that outgrows the budget would go on for
-/// long, and is left behind.
-fn trace(file: PathBuf, ready: Ready, pixel: [u32; 2], budget: u64) -> Result<Traced, Error> {
-    let (sender, receiver) = mpsc::channel();
-    let spent = sender.clone();
-    let worker = std::thread::Builder::new().stack_size(STACK);
-    let started = worker.spawn(move || {
-        let traced = trace_here(&file, ready, pixel, Spending { budget, spent });
-        // nobody listens any more if the budget was spent
-        let _ = sender.send(Some(Box::new(traced)));
-    });
-    started.map_err(|source| Error::Thread { source })?;
-    match receiver.recv() {
-        Ok(Some(traced)) => *traced,
-        Ok(None) | Err(_) => Err(Error::Budget { budget }),
-    }
-}
-
-/// Room for the deepest tree of rays.
-const STACK: usize = 16 << 20;
-
-/// Says once that more events came than the budget allows.
-struct Spending {
-    budget: u64,
-    spent: mpsc::Sender<Option<Box<Result<Traced, Error>>>>,
-}
-
-/// Keeps records up to a budget.
-struct Kept {
-    records: Vec<Record>,
-    spending: Spending,
-}
-
-impl Sink for Kept {
-    fn record(&mut self, record: &Record) {
-        if (self.records.len() as u64) < self.spending.budget {
-            self.records.push(*record);
-        } else {
-            // the command ends with this message, and this thread with it
-            let _ = self.spending.spent.send(None);
-        }
-    }
-}
-
-fn trace_here(
-    file: &Path,
-    ready: Ready,
-    pixel: [u32; 2],
-    spending: Spending,
-) -> Result<Traced, Error> {
+/// Traces the pixel, and keeps its events up to the budget.
+fn trace(file: &Path, ready: Ready, pixel: [u32; 2], budget: u64) -> Result<Traced, Error> {
     let started = Instant::now();
     let strategy = ready.strategy()?;
     let built = Instant::now();
     let region = Region::pixel(pixel);
     let (light, _) = light_pass::<_, Off>(file, &ready, &strategy, Some(region), None)?;
-    let tracer = Tracer::new(&ready.scene, &strategy, ready.settings.transport);
-    let tracer = tracer.with_light(light.as_ref());
-    let mut recording = Recording::new(Kept {
-        records: Vec::new(),
-        spending,
+    let tracer = Tracer::new(&ready.scene, &strategy, ready.settings.transport)
+        .with_light(light.as_ref())
+        .with_max_rays(ready.max_rays);
+    let mut recording = Recording::new(Budget {
+        left: budget,
+        sink: Vec::new(),
     });
     if ready.settings.building {
         strategy.note_building(&mut recording);
     }
-    // the paths that led to the pixel come first
-    for path in paths_behind(&tracer, region, ready.settings.through) {
-        tracer.trace_path(path, &mut recording);
-    }
-    trace_pixel(&tracer, pixel, ready.settings.through, &mut recording);
-    let records = recording.into_sink().records;
+    let traced = trace_into(&mut recording, &tracer, pixel, ready.settings.through);
+    traced.map_err(|stopped| match stopped {
+        Stopped::Recorder => Error::Budget { budget },
+        Stopped::Rays { .. } => ready.stopped(stopped),
+    })?;
+    let records = recording.into_sink().sink;
     let times = Times {
         loading: ready.loading,
         building: built - started,
@@ -165,6 +118,20 @@ fn trace_here(
         settings: ready.settings,
         records,
     })
+}
+
+/// Records the paths of light that led to the pixel, then the pixel.
+fn trace_into<S: Strategy>(
+    recording: &mut impl Recorder,
+    tracer: &Tracer<'_, S>,
+    pixel: [u32; 2],
+    through: Through,
+) -> Result<(), Stopped> {
+    for path in paths_behind(tracer, Region::pixel(pixel), through)? {
+        tracer.trace_path(path, recording)?;
+    }
+    trace_pixel(tracer, pixel, through, recording)?;
+    Ok(())
 }
 
 fn from_log(log: Log, args: &PixelArgs, started: Instant) -> Result<Traced, Error> {

@@ -68,7 +68,8 @@ fn render_with<S: Strategy>(
     args: &RenderArgs,
     mut times: Times,
 ) -> Result<(Raster, Option<(Counts, Times)>), Error> {
-    let tracer = Tracer::new(&ready.scene, strategy, ready.settings.transport);
+    let tracer =
+        Tracer::new(&ready.scene, strategy, ready.settings.transport).with_max_rays(ready.max_rays);
     let started = Instant::now();
     if args.heatmap.is_none() && args.tracing.stats.is_none() {
         let (light, _) = light_pass::<_, Off>(&args.scene, ready, strategy, None, args.threads)?;
@@ -122,7 +123,7 @@ fn traced<S: Strategy, R: Recorder + Default + Send>(
     let done = |lines: usize| bar.set_position(lines as u64);
     let traced = on_threads(args.threads, || render(tracer, through, done));
     bar.finish_and_clear();
-    traced
+    traced?.map_err(|stopped| ready.stopped(stopped))
 }
 
 fn write_png(picture: &Raster, out: impl Write) -> io::Result<()> {

@@ -1,7 +1,7 @@
 //! `raystep trace`: the log of a picture or a part of it; a log is filtered again.
 
-use std::io::Write;
-use std::ops::AddAssign;
+use std::io::{self, Write};
+use std::ops::{AddAssign, ControlFlow};
 use std::time::Instant;
 
 use raystep::{
@@ -74,11 +74,14 @@ fn trace_with<S: Strategy>(
     let region = args.region;
     let (light, _) = light_pass::<_, Off>(&args.scene, ready, strategy, region, args.threads)?;
     let tracer = Tracer::new(&ready.scene, strategy, ready.settings.transport);
-    let tracer = tracer.with_light(light.as_ref());
+    let tracer = tracer
+        .with_light(light.as_ref())
+        .with_max_rays(ready.max_rays);
     options.paths = match region {
         None => LoggedPaths::All(ready.settings.light_paths(ready.scene.camera.pixels)),
         Some(region) => {
-            let paths = paths_behind(&tracer, region, ready.settings.through);
+            let paths = paths_behind(&tracer, region, ready.settings.through)
+                .map_err(|stopped| ready.stopped(stopped))?;
             LoggedPaths::Some(paths.into_iter().collect())
         }
     };
@@ -111,24 +114,57 @@ fn write<S: Strategy, R: Recorder + Default + AddAssign + Send>(
         LogStopped::Budget => Error::Budget {
             budget: args.budget,
         },
+        LogStopped::Trace(stopped) => ready.stopped(stopped),
     })
 }
 
 /// What of a log is written again, and counted.
 struct Wanted<'a> {
-    filter: Filter<Budget<LineSink<'a>>>,
+    filter: Filter<Budget<WrittenLines<'a>>>,
     counts: Option<LogCounts>,
 }
 
 impl Sink for Wanted<'_> {
-    fn record(&mut self, record: &Record) {
-        self.filter.record(record);
+    fn record(&mut self, record: &Record) -> ControlFlow<()> {
+        self.filter.record(record)?;
         let inside = self.filter.region.zip(record.pixel);
         if let Some(counts) = &mut self.counts
             && inside.is_none_or(|(region, pixel)| region.contains(pixel))
         {
             counts.add(record);
         }
+        ControlFlow::Continue(())
+    }
+}
+
+/// Writes lines to an output, many at once, until it fails.
+struct WrittenLines<'a> {
+    kept: LineSink<'a>,
+    out: &'a mut Output,
+    failed: Option<io::Error>,
+}
+
+impl WrittenLines<'_> {
+    /// Writes the lines that are kept.
+    fn write(&mut self) -> ControlFlow<()> {
+        let written = self.out.write_all(&self.kept.lines);
+        self.kept.lines.clear();
+        self.failed = written.err();
+        match self.failed {
+            Some(_) => ControlFlow::Break(()),
+            None => ControlFlow::Continue(()),
+        }
+    }
+}
+
+impl Sink for WrittenLines<'_> {
+    #[inline]
+    fn record(&mut self, record: &Record) -> ControlFlow<()> {
+        self.kept.record(record)?;
+        if BUFFER <= self.kept.lines.len() {
+            self.write()?;
+        }
+        ControlFlow::Continue(())
     }
 }
 
@@ -181,27 +217,28 @@ fn filter_again(mut log: Log, args: &TraceArgs, started: Instant) -> Result<(), 
             region: settings.region,
             sink: Budget {
                 left: args.budget,
-                dropped: 0,
-                sink: LineSink::new(&names),
+                sink: WrittenLines {
+                    kept: LineSink::new(&names),
+                    out: &mut out,
+                    failed: None,
+                },
             },
         },
         counts,
     };
     let width = log.scene().camera.pixels[0];
     let mut sieve = PathSieve::new(log.settings(), width, args.region, wanted);
-    while let Some(record) = log.next_record()? {
-        sieve.record(&record);
-        let kept = &mut sieve.sink.filter.sink;
-        within(args.budget, kept)?;
-        let lines = &mut kept.sink.lines;
-        if BUFFER <= lines.len() {
-            out.write_all(lines).map_err(|error| out.failed(error))?;
-            lines.clear();
+    let written = filtered(&mut log, &mut sieve)?;
+    let Wanted { filter, counts } = sieve.sink;
+    match (written, filter.sink.sink.failed) {
+        (_, Some(error)) => return Err(out.failed(error)),
+        (ControlFlow::Break(()), None) => {
+            return Err(Error::Budget {
+                budget: args.budget,
+            });
         }
+        (ControlFlow::Continue(()), None) => out.finish()?,
     }
-    let Wanted { filter, counts } = sieve.finish();
-    within(args.budget, &filter.sink)?;
-    out.write_whole(&filter.sink.sink.lines)?;
 
     if let (Some(format), Some(counts)) = (args.tracing.stats, counts) {
         let times = Times {
@@ -213,12 +250,17 @@ fn filter_again(mut log: Log, args: &TraceArgs, started: Instant) -> Result<(), 
     Ok(())
 }
 
-/// More events than the budget allows are an error.
-fn within<S>(budget: u64, kept: &Budget<S>) -> Result<(), Error> {
-    if 0 < kept.dropped {
-        return Err(Error::Budget { budget });
+/// Reads a log into a sieve, until what is behind it wants no more.
+fn filtered(log: &mut Log, sieve: &mut PathSieve<Wanted<'_>>) -> Result<ControlFlow<()>, Error> {
+    while let Some(record) = log.next_record()? {
+        if sieve.record(&record).is_break() {
+            return Ok(ControlFlow::Break(()));
+        }
     }
-    Ok(())
+    if sieve.finish().is_break() {
+        return Ok(ControlFlow::Break(()));
+    }
+    Ok(sieve.sink.filter.sink.sink.write())
 }
 
 /// The region, or the whole picture.

@@ -7,34 +7,39 @@ use crate::scene::Scene;
 use crate::strategy::{Chosen, Strategy};
 use crate::structure::StructureError;
 use crate::trace::{Counts, Settings, Through};
-use crate::tracer::{LightPass, Tracer, render, trace_pixel};
+use crate::tracer::{LightPass, Stopped, Tracer, render, trace_pixel};
 
 /// Traces a pixel, or the whole picture, with every strategy, over the rays of these settings. Where the transport
 /// follows light, all its paths count, and [`check_light`](crate::tracer::check_light) must have been asked before.
 ///
-/// `done` hears how many of the [`scan_lines_to_compare`] are finished.
+/// A pixel may take `max_rays` rays. `done` hears how many of the [`scan_lines_to_compare`] are finished.
+///
+/// # Errors
+/// A pixel that takes more rays.
 pub fn compare<'a>(
     scene: &'a Scene,
     settings: &Settings,
     pixel: Option<[u32; 2]>,
+    max_rays: u64,
     done: impl Fn(u64) + Sync,
-) -> Comparison<'a> {
+) -> Result<Comparison<'a>, Stopped> {
     let lines = scan_lines(scene, settings, pixel);
     let mut before = 0;
     let run = |settings: Settings| {
-        let cost = cost(scene, &settings, pixel, |line| done(before + line));
+        let cost = cost(scene, &settings, pixel, max_rays, |line| {
+            done(before + line);
+        })?;
         before += lines;
         done(before);
-        Compared { settings, cost }
+        Ok(Compared { settings, cost })
     };
-    Comparison {
+    let strategies = strategies_to_compare(scene, settings).into_iter();
+    let compared: Result<Vec<Compared>, Stopped> = strategies.map(run).collect();
+    Ok(Comparison {
         scene,
         pixel,
-        compared: strategies_to_compare(scene, settings)
-            .into_iter()
-            .map(run)
-            .collect(),
-    }
+        compared: compared?,
+    })
 }
 
 /// How many scan lines of eye rays all strategies together trace.
@@ -48,34 +53,40 @@ fn cost(
     scene: &Scene,
     settings: &Settings,
     pixel: Option<[u32; 2]>,
+    max_rays: u64,
     done: impl Fn(u64) + Sync,
-) -> Result<Cost, StructureError> {
+) -> Result<Result<Cost, StructureError>, Stopped> {
     let started = Instant::now();
-    let strategy = Chosen::new(scene, settings.strategy, &settings.structure)?;
+    let strategy = match Chosen::new(scene, settings.strategy, &settings.structure) {
+        Ok(strategy) => strategy,
+        Err(fault) => return Ok(Err(fault)),
+    };
     let building = started.elapsed();
     let started = Instant::now();
     let mut counts = Counts::default();
     let hear = |heard: Counts| counts.add(&heard);
-    let light = LightPass::new(scene, &strategy, settings, None, hear, |_| {});
-    let tracer = Tracer::new(scene, &strategy, settings.transport).with_light(light.as_ref());
+    let light = LightPass::new(scene, &strategy, settings, None, hear, |_| {})?;
+    let tracer = Tracer::new(scene, &strategy, settings.transport)
+        .with_light(light.as_ref())
+        .with_max_rays(max_rays);
     match pixel {
         Some(pixel) => {
-            trace_pixel(&tracer, pixel, settings.through, &mut counts);
+            trace_pixel(&tracer, pixel, settings.through, &mut counts)?;
         }
         None => {
             let done = |lines: usize| done(lines as u64);
-            let (_, lines) = render::<_, Counts>(&tracer, settings.through, done);
+            let (_, lines) = render::<_, Counts>(&tracer, settings.through, done)?;
             for line in &lines {
                 counts.add(line);
             }
         }
     }
-    Ok(Cost {
+    Ok(Ok(Cost {
         counts,
         bytes: strategy.bytes(),
         building,
         tracing: started.elapsed(),
-    })
+    }))
 }
 
 /// How many scan lines of eye rays a strategy traces.

@@ -9,20 +9,36 @@ use crate::scene::Scene;
 use crate::strategy::{DepthFirst, Strategy};
 use crate::structure::{Build, SlabSet};
 use crate::trace::{Counts, Off, Recorder, Settings, Through, Transport, UsefulRays};
-use crate::tracer::{LightError, LightPass, Picture, Tracer, check_light, render};
+use crate::tracer::{LightError, LightPass, Picture, Stopped, Tracer, check_light, render};
+
+/// Why the kinds of ray tracing cannot be compared.
+#[derive(Debug)]
+pub enum NotCompared {
+    /// Light cannot be followed through the scene.
+    Light(LightError),
+    /// A pixel takes more rays than it may.
+    Stopped {
+        /// With this kind of ray tracing.
+        transport: Transport,
+        /// Which pixel.
+        stopped: Stopped,
+    },
+}
 
 /// Traces the picture with each of the five kinds of ray tracing: the light of the lamps alone, with no ambient light
 /// and no background, so that all five show the same.
 ///
-/// `scene` is without both: see [`light_of_lamps`]. `done` hears how many of the kinds are finished.
+/// `scene` is without both: see [`light_of_lamps`]. A pixel may take `max_rays` rays. `done` hears how many of the
+/// kinds are finished.
 ///
 /// # Errors
-/// A scene through which light cannot be followed.
+/// A scene through which light cannot be followed, or a pixel that takes more rays.
 pub fn compare_transports<'a>(
     scene: &'a Scene,
     settings: &Settings,
+    max_rays: u64,
     done: impl Fn(u64),
-) -> Result<TransportComparison<'a>, LightError> {
+) -> Result<TransportComparison<'a>, NotCompared> {
     // every strategy finds the same; this one is quick
     let strategy = &DepthFirst::<3>::new(scene, &SlabSet::AXES, Build::SurfaceArea);
     let closed_form = Settings {
@@ -30,7 +46,7 @@ pub fn compare_transports<'a>(
         through: Through::Centres,
         ..settings.clone()
     };
-    let expected = values(&one_surface(scene, strategy, &closed_form));
+    let expected = values(&one_surface(scene, strategy, &closed_form, max_rays)?);
     let mut compared = Vec::new();
     for transport in Transport::ALL {
         let settings = Settings {
@@ -38,16 +54,16 @@ pub fn compare_transports<'a>(
             through: Through::Centres,
             ..settings.clone()
         };
-        check_light(scene, strategy, &settings)?;
+        check_light(scene, strategy, &settings).map_err(NotCompared::Light)?;
         let mut counts = Counts::default();
         let mut rays = UsefulRays::default();
         let hear = |(counted, useful): (Counts, UsefulRays)| {
             counts.add(&counted);
             rays.add(&useful);
         };
-        let (_, time) = picture(scene, strategy, &settings, hear);
+        let (_, time) = picture(scene, strategy, &settings, max_rays, hear)?;
 
-        let found = one_surface(scene, strategy, &settings);
+        let found = one_surface(scene, strategy, &settings, max_rays)?;
         compared.push(TransportCost {
             settings,
             counts,
@@ -73,26 +89,39 @@ fn picture<S: Strategy, R: Recorder + Default + Send>(
     scene: &Scene,
     strategy: &S,
     settings: &Settings,
+    max_rays: u64,
     mut heard: impl FnMut(R),
-) -> (Picture, Duration) {
+) -> Result<(Picture, Duration), NotCompared> {
     let started = Instant::now();
+    let transport = settings.transport;
+    let stopped = |stopped| NotCompared::Stopped { transport, stopped };
     let light = LightPass::new(scene, strategy, settings, None, &mut heard, |_| {});
-    let tracer = Tracer::new(scene, strategy, settings.transport).with_light(light.as_ref());
-    let (picture, of_lines) = render(&tracer, settings.through, |_| {});
+    let light = light.map_err(stopped)?;
+    let tracer = Tracer::new(scene, strategy, transport)
+        .with_light(light.as_ref())
+        .with_max_rays(max_rays);
+    let traced = render(&tracer, settings.through, |_| {});
+    let (picture, of_lines) = traced.map_err(stopped)?;
     for recorder in of_lines {
         heard(recorder);
     }
-    (picture, started.elapsed())
+    Ok((picture, started.elapsed()))
 }
 
 /// The picture of light that meets only one surface between lamp and eye. With rays to the lamps it is the closed
 /// form: L = Σ colour·diffuse/π · Φ·cos θ/(4π·r²) over the lamps that a point sees.
-fn one_surface<S: Strategy>(scene: &Scene, strategy: &S, settings: &Settings) -> Picture {
+fn one_surface<S: Strategy>(
+    scene: &Scene,
+    strategy: &S,
+    settings: &Settings,
+    max_rays: u64,
+) -> Result<Picture, NotCompared> {
     let mut scene = scene.clone();
     scene.max_depth = 1;
     let mut settings = settings.clone();
     settings.light.bounces = Some(1);
-    picture(&scene, strategy, &settings, |_: Off| {}).0
+    let (picture, _) = picture(&scene, strategy, &settings, max_rays, |_: Off| {})?;
+    Ok(picture)
 }
 
 /// Each channel of each pixel.

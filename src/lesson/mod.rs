@@ -8,7 +8,7 @@ mod library;
 mod trace;
 
 pub use compare::{compare, scan_lines_to_compare};
-pub use compare_transports::{compare_transports, light_of_lamps};
+pub use compare_transports::{NotCompared, compare_transports, light_of_lamps};
 pub use error::LessonError;
 pub use file::{LessonFile, lesson_schema};
 pub use library::{FigureName, Lesson, Library};

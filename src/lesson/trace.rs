@@ -1,6 +1,7 @@
 //! Tracing what a figure is drawn from.
 
 use std::collections::BTreeSet;
+use std::ops::ControlFlow;
 
 use crate::figure::{FigureError, FigureKind, FigureSpec, OF_EVERY_PIXEL, Traced};
 use crate::lesson::LessonError;
@@ -8,7 +9,9 @@ use crate::scene::Loaded;
 use crate::strategy::{Chosen, Strategy};
 use crate::structure::{StructureOptions, VolumeKind};
 use crate::trace::{Kind, Kinds, Off, Record, Recording, Region, Settings, Sink, StrategyName};
-use crate::tracer::{LightError, LightPass, Tracer, check_light, paths_behind, trace_pixel};
+use crate::tracer::{
+    LightError, LightPass, Stopped, Tracer, check_light, paths_behind, trace_pixel,
+};
 
 /// The most pixels that a figure's picture may have: all are traced, and each is a square.
 const MOST_PIXELS: u64 = 512 * 512;
@@ -108,6 +111,7 @@ pub fn trace_figure(
         check_light(&scene, &chosen, &settings).map_err(|fault| wrong(no_light(&fault)))?;
         let around = Region::around(&whole);
         let light = LightPass::new(&scene, &chosen, &settings, around, |Off| (), |_| ());
+        let light = light.map_err(|stopped| wrong(too_many_rays(&stopped)))?;
         let tracer = Tracer::new(&scene, &chosen, spec.transport).with_light(light.as_ref());
         let mut recording = Recording::new(Keep {
             records: Vec::new(),
@@ -115,14 +119,8 @@ pub fn trace_figure(
             of_every: Kinds::of(kept),
         });
         chosen.note_building(&mut recording);
-        for path in shown_paths(&tracer, spec, &whole) {
-            tracer.trace_path(path, &mut recording);
-        }
-        for y in 0..height {
-            for x in 0..width {
-                trace_pixel(&tracer, [x, y], spec.through, &mut recording);
-            }
-        }
+        record(&tracer, spec, &whole, &mut recording)
+            .map_err(|stopped| wrong(too_many_rays(&stopped)))?;
         let records = recording.into_sink().records;
         Ok(Traced {
             scene: scene.clone(),
@@ -131,6 +129,34 @@ pub fn trace_figure(
         })
     };
     variants.map(trace).collect()
+}
+
+/// Records the paths of light that a figure shows, then every pixel.
+fn record<S: Strategy>(
+    tracer: &Tracer<'_, S>,
+    spec: &FigureSpec,
+    whole: &[[u32; 2]],
+    recording: &mut Recording<Keep<'_>>,
+) -> Result<(), Stopped> {
+    for path in shown_paths(tracer, spec, whole)? {
+        tracer.trace_path(path, recording)?;
+    }
+    let [width, height] = tracer.scene.camera.pixels;
+    for y in 0..height {
+        for x in 0..width {
+            trace_pixel(tracer, [x, y], spec.through, recording)?;
+        }
+    }
+    Ok(())
+}
+
+/// A tree of rays that does not end, as a mistake in the figure.
+fn too_many_rays(stopped: &Stopped) -> FigureError {
+    FigureError {
+        key: "scene",
+        what: stopped.to_string(),
+        fix: "lower the scene's \"max_depth\", or its reflection and transmission".into(),
+    }
 }
 
 /// Does this kind of figure draw paths of light?
@@ -196,13 +222,15 @@ fn shown_paths<S: Strategy>(
     tracer: &Tracer<'_, S>,
     spec: &FigureSpec,
     whole: &[[u32; 2]],
-) -> BTreeSet<u32> {
+) -> Result<BTreeSet<u32>, Stopped> {
     if !draws_paths(spec.kind) {
-        return BTreeSet::new();
+        return Ok(BTreeSet::new());
     }
-    let behind = |pixel: &[u32; 2]| paths_behind(tracer, Region::pixel(*pixel), spec.through);
-    let first = 0..spec.paths.unwrap_or(0);
-    first.chain(whole.iter().flat_map(behind)).collect()
+    let mut shown: BTreeSet<u32> = (0..spec.paths.unwrap_or(0)).collect();
+    for &pixel in whole {
+        shown.extend(paths_behind(tracer, Region::pixel(pixel), spec.through)?);
+    }
+    Ok(shown)
 }
 
 /// What is kept of every pixel.
@@ -222,11 +250,12 @@ struct Keep<'a> {
 }
 
 impl Sink for Keep<'_> {
-    fn record(&mut self, record: &Record) {
+    fn record(&mut self, record: &Record) -> ControlFlow<()> {
         let is_whole = record.pixel.is_none_or(|pixel| self.whole.contains(&pixel));
         if is_whole || self.of_every.contains(record.event.kind()) {
             self.records.push(*record);
         }
+        ControlFlow::Continue(())
     }
 }
 

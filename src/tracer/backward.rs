@@ -6,6 +6,8 @@
 //! ([`Transport::Backward`]), with one ([`hybrid_light`](crate::tracer::hybrid_light)), or of what paths of
 //! light have stored there ([`hybrid_stored`](crate::tracer::hybrid_stored)).
 
+use std::ops::ControlFlow;
+
 use glam::DVec3;
 
 use crate::geometry::{Ray, TRange, reflect};
@@ -13,6 +15,7 @@ use crate::scene::Scene;
 use crate::strategy::Strategy;
 use crate::trace::{Event, Outcome, Purpose, RayEnd, RayStart, Recorder, Shade, Transport};
 use crate::tracer::LightPass;
+use crate::tracer::ray_limit::MAX_RAYS;
 use crate::tracer::surface::Surface;
 
 /// Traces rays through a scene.
@@ -26,6 +29,8 @@ pub struct Tracer<'a, S> {
     pub transport: Transport,
     /// What the paths of light have left, where the transport follows any.
     pub light: Option<&'a LightPass>,
+    /// How many rays may be traced for a pixel; through the corners, from each of them.
+    pub max_rays: u64,
 }
 
 impl<'a, S: Strategy> Tracer<'a, S> {
@@ -36,6 +41,7 @@ impl<'a, S: Strategy> Tracer<'a, S> {
             strategy,
             transport,
             light: None,
+            max_rays: MAX_RAYS,
         }
     }
 
@@ -45,19 +51,31 @@ impl<'a, S: Strategy> Tracer<'a, S> {
         Self { light, ..self }
     }
 
+    /// The same, with another limit of the rays that may be traced for a pixel.
+    #[must_use]
+    pub fn with_max_rays(self, max_rays: u64) -> Self {
+        Self { max_rays, ..self }
+    }
+
     /// The colour that an eye ray sees.
-    pub fn eye_ray<R: Recorder>(&self, ray: Ray, window_t: f64, recorder: &mut R) -> DVec3 {
+    pub(super) fn eye_ray<R: Recorder>(
+        &self,
+        ray: Ray,
+        window_t: f64,
+        recorder: &mut R,
+    ) -> ControlFlow<(), DVec3> {
         self.trace(eye_ray_start(ray, window_t), recorder)
     }
 
-    /// The colour that a ray sees: the background, or the shade of what it meets.
-    fn trace<R: Recorder>(&self, start: RayStart, recorder: &mut R) -> DVec3 {
+    /// The colour that a ray sees: the background, or the shade of what it meets. `Break` if the recorder has enough.
+    fn trace<R: Recorder>(&self, start: RayStart, recorder: &mut R) -> ControlFlow<(), DVec3> {
+        recorder.next_ray()?;
         recorder.note(|| Event::Ray(start));
         let hit = self.strategy.nearest(&start.ray, start.range, recorder);
         let colour = match hit {
             None if self.transport.follows_light() => DVec3::ZERO,
             None => self.scene.background,
-            Some(hit) => self.shade(&self.surface(&start, hit), recorder),
+            Some(hit) => self.shade(&self.surface(&start, hit), recorder)?,
         };
         recorder.note(|| {
             Event::RayEnd(RayEnd {
@@ -68,11 +86,15 @@ impl<'a, S: Strategy> Tracer<'a, S> {
                 ..RayEnd::default()
             })
         });
-        colour
+        ControlFlow::Continue(colour)
     }
 
     /// I = ambient·colour + Σ lights + reflection·I_reflected + transmission·I_refracted
-    fn shade<R: Recorder>(&self, surface: &Surface<'_>, recorder: &mut R) -> DVec3 {
+    fn shade<R: Recorder>(
+        &self,
+        surface: &Surface<'_>,
+        recorder: &mut R,
+    ) -> ControlFlow<(), DVec3> {
         let material = surface.material;
         let (ambient, direct) = match self.light {
             // light that came by other surfaces is stored too: ambient light would stand for it again
@@ -82,7 +104,7 @@ impl<'a, S: Strategy> Tracer<'a, S> {
             ),
             None => (
                 self.scene.ambient * DVec3::from(material.colour),
-                self.direct_light(surface, recorder),
+                self.direct_light(surface, recorder)?,
             ),
         };
 
@@ -117,12 +139,13 @@ impl<'a, S: Strategy> Tracer<'a, S> {
         let mut colour = ambient + direct;
         if 0.0 < reflection {
             let mirrored = reflect(surface.incoming, surface.normal);
-            colour += reflection * self.send_on(surface, mirrored, Purpose::Reflected, recorder);
+            colour += reflection * self.send_on(surface, mirrored, Purpose::Reflected, recorder)?;
         }
         if let Some(direction) = through {
-            colour += transmission * self.send_on(surface, direction, Purpose::Refracted, recorder);
+            colour +=
+                transmission * self.send_on(surface, direction, Purpose::Refracted, recorder)?;
         }
-        colour
+        ControlFlow::Continue(colour)
     }
 
     /// The colour that a ray from the surface sees; black beyond the depth limit.
@@ -132,7 +155,7 @@ impl<'a, S: Strategy> Tracer<'a, S> {
         direction: DVec3,
         purpose: Purpose,
         recorder: &mut R,
-    ) -> DVec3 {
+    ) -> ControlFlow<(), DVec3> {
         let start = surface.sends(direction, purpose);
         if start.depth <= self.scene.max_depth {
             return self.trace(start, recorder);
@@ -145,7 +168,7 @@ impl<'a, S: Strategy> Tracer<'a, S> {
                 ..RayEnd::default()
             })
         });
-        DVec3::ZERO
+        ControlFlow::Continue(DVec3::ZERO)
     }
 }
 

@@ -10,11 +10,12 @@
 //! sure that it counts once ([`balance_heuristic`](crate::tracer::balance_heuristic)).
 
 use std::f64::consts::PI;
+use std::ops::ControlFlow;
 
 use glam::{DVec2, DVec3};
 
 use crate::geometry::{Ray, TRange};
-use crate::scene::WindowCrossing;
+use crate::scene::{Camera, WindowCrossing};
 use crate::strategy::Strategy;
 use crate::trace::{
     Connection, Event, Off, Outcome, PixelSample, Purpose, RayStart, Recorder, geometry_term,
@@ -35,7 +36,7 @@ impl<S: Strategy> Tracer<'_, S> {
         light: &LightPass,
         pixel: [u32; 2],
         recorder: &mut R,
-    ) -> DVec3 {
+    ) -> ControlFlow<(), DVec3> {
         let camera = &self.scene.camera;
         let [width, height] = camera.pixels;
         let place = u64::from(pixel[1]) * u64::from(width) + u64::from(pixel[0]);
@@ -61,8 +62,8 @@ impl<S: Strategy> Tracer<'_, S> {
             let start = eye_ray_start(ray, window_t);
             let mut eye = Vertices(vec![Vertex::end(camera.cop, DVec3::ONE)]);
             let most = light.lamps.most;
-            self.walk(start, DVec3::ONE, most, &mut chance, &mut eye, recorder);
-            let lit = self.light_vertices(&light.lamps, number, &mut Off);
+            self.walk(start, DVec3::ONE, most, &mut chance, &mut eye, recorder)?;
+            let lit = self.light_vertices(&light.lamps, number, &mut Off)?;
             let paths = Paths {
                 camera,
                 number,
@@ -72,25 +73,30 @@ impl<S: Strategy> Tracer<'_, S> {
             for eye_vertex in 1..eye.0.len() {
                 for light_vertex in 0..lit.0.len() {
                     if light_vertex + eye_vertex <= most as usize {
-                        let found = self.connect(&paths, light_vertex, eye_vertex, recorder);
+                        let found = self.connect(&paths, light_vertex, eye_vertex, recorder)?;
                         let brings = found.map_or(DVec3::ZERO, |found| found.contribution);
                         sum += counts_for * brings;
                     }
                 }
             }
         }
-        sum + light.seen(pixel)
+        ControlFlow::Continue(sum + light.seen(pixel))
     }
 
     /// The vertices of a path of light; none in a scene without lights.
-    fn light_vertices<R: Recorder>(&self, lamps: &Lamps, path: u32, recorder: &mut R) -> Vertices {
+    fn light_vertices<R: Recorder>(
+        &self,
+        lamps: &Lamps,
+        path: u32,
+        recorder: &mut R,
+    ) -> ControlFlow<(), Vertices> {
         // the light itself is known when the path has been followed
         let mut vertices = Vertices(vec![Vertex::end(DVec3::ZERO, DVec3::ZERO)]);
-        match self.follow_light(lamps, path, &mut vertices, recorder) {
+        match self.follow_light(lamps, path, &mut vertices, recorder)? {
             Some(start) => vertices.0[0] = Vertex::end(start.position, start.power),
             None => vertices.0.clear(),
         }
-        vertices
+        ControlFlow::Continue(vertices)
     }
 
     /// Follows a path of light, and draws a line from each of its vertices to the eye.
@@ -99,8 +105,8 @@ impl<S: Strategy> Tracer<'_, S> {
         lamps: &Lamps,
         path: u32,
         recorder: &mut R,
-    ) -> Vec<Connection> {
-        let vertices = self.light_vertices(lamps, path, recorder);
+    ) -> ControlFlow<(), Vec<Connection>> {
+        let vertices = self.light_vertices(lamps, path, recorder)?;
         let camera = &self.scene.camera;
         let paths = Paths {
             camera,
@@ -108,9 +114,11 @@ impl<S: Strategy> Tracer<'_, S> {
             light: &vertices.0,
             eye: &[Vertex::end(camera.cop, DVec3::ONE)],
         };
-        (1..vertices.0.len().min(lamps.most as usize + 1))
-            .filter_map(|vertex| self.connect(&paths, vertex, 0, recorder))
-            .collect()
+        let mut lines = Vec::new();
+        for vertex in 1..vertices.0.len().min(lamps.most as usize + 1) {
+            lines.extend(self.connect(&paths, vertex, 0, recorder)?);
+        }
+        ControlFlow::Continue(lines)
     }
 
     /// Connects two vertices; `None` where no line can bring anything.
@@ -120,26 +128,17 @@ impl<S: Strategy> Tracer<'_, S> {
         light_vertex: usize,
         eye_vertex: usize,
         recorder: &mut R,
-    ) -> Option<Connection> {
+    ) -> ControlFlow<(), Option<Connection>> {
         let [from, to] = [&paths.light[light_vertex], &paths.eye[eye_vertex]];
-        if !from.can_connect() || !to.can_connect() {
-            return None;
-        }
-        let line = from.point - to.point;
-        let distance = line.length();
-        let direction = line.try_normalize()?;
-        let cosines = [from.cosine(-direction), to.cosine(direction)];
-        // of a line in a face itself, from one point of it to another, the cosine is what rounding leaves
-        if cosines[0] <= EPSILON || cosines[1] <= EPSILON {
-            return None;
-        }
         // a line to the eye must pass the window
-        let crossing = match eye_vertex {
-            0 => Some(paths.camera.window_crossing(DVec3::ZERO, direction)?),
-            _ => None,
+        let window = (eye_vertex == 0).then_some(paths.camera);
+        let Some(line) = Line::between(from, to, window) else {
+            return ControlFlow::Continue(None);
         };
-
-        let visible = self.sees(to, from, direction, distance, recorder);
+        let Line {
+            cosines, crossing, ..
+        } = line;
+        let visible = self.sees(to, from, &line, recorder)?;
         let geometry = geometry_term(from.point, to.point, cosines);
         let mut connection = Connection {
             path: paths.number,
@@ -165,7 +164,7 @@ impl<S: Strategy> Tracer<'_, S> {
             connection.contribution = sent * geometry * received * connection.weight;
         }
         recorder.note(|| Event::Connection(connection));
-        Some(connection)
+        ControlFlow::Continue(Some(connection))
     }
 
     /// Does nothing stand between two vertices?
@@ -173,16 +172,15 @@ impl<S: Strategy> Tracer<'_, S> {
         &self,
         from: &Vertex,
         to: &Vertex,
-        direction: DVec3,
-        distance: f64,
+        line: &Line,
         recorder: &mut R,
-    ) -> bool {
+    ) -> ControlFlow<(), bool> {
         let start = RayStart {
-            ray: Ray::new(from.point, direction),
+            ray: Ray::new(from.point, line.direction),
             range: TRange {
                 min: from.epsilon,
                 // what stands at the other end is not in between
-                max: (distance - to.epsilon).min(distance * (1.0 - EPSILON)),
+                max: (line.distance - to.epsilon).min(line.distance * (1.0 - EPSILON)),
             },
             purpose: Purpose::Connection,
             depth: 1,
@@ -190,6 +188,43 @@ impl<S: Strategy> Tracer<'_, S> {
             light: None,
         };
         self.is_clear(start, Outcome::Connects, recorder)
+    }
+}
+
+/// A line between a vertex of a path of light and one of a path from the eye.
+struct Line {
+    /// Unit direction from the eye's vertex to the light's.
+    direction: DVec3,
+    distance: f64,
+    /// Of the light's vertex and of the eye's.
+    cosines: [f64; 2],
+    /// Where a line to the eye passes the window.
+    crossing: Option<WindowCrossing>,
+}
+
+impl Line {
+    /// The line between two vertices; `None` where it cannot bring anything.
+    fn between(from: &Vertex, to: &Vertex, window: Option<&Camera>) -> Option<Self> {
+        if !from.can_connect() || !to.can_connect() {
+            return None;
+        }
+        let line = from.point - to.point;
+        let direction = line.try_normalize()?;
+        let cosines = [from.cosine(-direction), to.cosine(direction)];
+        // of a line in a face itself, from one point of it to another, the cosine is what rounding leaves
+        if cosines[0] <= EPSILON || cosines[1] <= EPSILON {
+            return None;
+        }
+        let crossing = match window {
+            Some(camera) => Some(camera.window_crossing(DVec3::ZERO, direction)?),
+            None => None,
+        };
+        Some(Self {
+            direction,
+            distance: line.length(),
+            cosines,
+            crossing,
+        })
     }
 }
 

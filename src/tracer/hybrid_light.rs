@@ -1,6 +1,8 @@
 //! Hybrid ray tracing with rays to the light: backward, and from each point a ray to each light, as T. Whitted
 //! (1980) does. What it meets on the way throws a shadow.
 
+use std::ops::ControlFlow;
+
 use glam::DVec3;
 
 use crate::geometry::{Ray, TRange};
@@ -17,12 +19,12 @@ impl<S: Strategy> Tracer<'_, S> {
         &self,
         surface: &Surface<'_>,
         recorder: &mut R,
-    ) -> DVec3 {
+    ) -> ControlFlow<(), DVec3> {
         let mut direct = DVec3::ZERO;
         for (number, light) in (0..).zip(&self.scene.lights) {
-            direct += self.light(number, light, surface, recorder);
+            direct += self.light(number, light, surface, recorder)?;
         }
-        direct
+        ControlFlow::Continue(direct)
     }
 
     /// What one light adds; with a shadow ray, unless the surface faces away from the light.
@@ -32,14 +34,14 @@ impl<S: Strategy> Tracer<'_, S> {
         light: &Light,
         surface: &Surface<'_>,
         recorder: &mut R,
-    ) -> DVec3 {
+    ) -> ControlFlow<(), DVec3> {
         let to_viewer = -surface.incoming;
         let term = light.phong(surface.material, surface.point, surface.normal, to_viewer);
         let visibility = if term.n_dot_l <= 0.0 {
             Visibility::FacesAway
         } else if self.transport == Transport::Backward {
             Visibility::NotTested
-        } else if self.is_blocked(number, surface, term.to_light, term.distance, recorder) {
+        } else if self.is_blocked(number, surface, term.to_light, term.distance, recorder)? {
             Visibility::Shadowed
         } else {
             Visibility::Visible
@@ -51,10 +53,10 @@ impl<S: Strategy> Tracer<'_, S> {
                 term,
             })
         });
-        match visibility {
+        ControlFlow::Continue(match visibility {
             Visibility::Visible | Visibility::NotTested => term.diffuse + term.specular,
             Visibility::Shadowed | Visibility::FacesAway => DVec3::ZERO,
-        }
+        })
     }
 
     /// Does anything stand between the point and the light? Every object casts a full shadow.
@@ -65,7 +67,7 @@ impl<S: Strategy> Tracer<'_, S> {
         to_light: DVec3,
         distance: f64,
         recorder: &mut R,
-    ) -> bool {
+    ) -> ControlFlow<(), bool> {
         let start = RayStart {
             ray: Ray::new(surface.point, to_light),
             range: TRange {
@@ -78,6 +80,7 @@ impl<S: Strategy> Tracer<'_, S> {
             window_t: None,
             light: Some(light),
         };
-        !self.is_clear(start, Outcome::ReachesLight, recorder)
+        let is_clear = self.is_clear(start, Outcome::ReachesLight, recorder)?;
+        ControlFlow::Continue(!is_clear)
     }
 }

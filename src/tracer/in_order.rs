@@ -8,9 +8,11 @@
 use std::collections::{BTreeMap, VecDeque};
 use std::io::{self, Write};
 use std::mem;
-use std::ops::AddAssign;
+use std::ops::{AddAssign, ControlFlow};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Condvar, Mutex, MutexGuard, PoisonError};
+
+use crate::tracer::Stopped;
 
 /// How many bytes a tile hands over at once: a thousand lines of a log, which a second-level cache holds.
 const PIECE: usize = 1 << 18;
@@ -41,13 +43,13 @@ struct State<W, S> {
     /// Lines that may still be written.
     budget: u64,
     sum: S,
-    stopped: Option<Stopped>,
+    ended: Option<Ended>,
 }
 
-/// What a tile has handed over, and at its end what it leaves behind.
+/// What a tile has handed over, and at its end what it leaves behind, or why it did not come to its end.
 struct Waiting<S> {
     pieces: VecDeque<Piece>,
-    left: Option<S>,
+    left: Option<Result<S, Stopped>>,
 }
 
 fn new_buffer() -> Vec<u8> {
@@ -62,11 +64,13 @@ struct Piece {
 
 /// Why no more is written.
 #[derive(Debug)]
-pub(super) enum Stopped {
+pub(super) enum Ended {
     /// The output failed.
     Output(io::Error),
     /// The budget is spent.
     Budget,
+    /// A tile did not come to its end.
+    Tile(Stopped),
 }
 
 /// What one tile has to say.
@@ -77,7 +81,6 @@ pub(super) struct Tile<'a, W: Write, S: Default + AddAssign> {
     lines: &'a mut Vec<u8>,
     count: u64,
     finished: bool,
-    stopped: bool,
 }
 
 impl<W: Write + Send, S: Default + AddAssign + Send> InOrder<W, S> {
@@ -92,20 +95,21 @@ impl<W: Write + Send, S: Default + AddAssign + Send> InOrder<W, S> {
                 spare: Vec::new(),
                 budget,
                 sum: S::default(),
-                stopped: None,
+                ended: None,
             }),
             turn: Condvar::new(),
         }
     }
 
     /// Works through all tiles on the threads of the current pool, each with tools of its own, and sums up in
-    /// their order what they leave behind. The work stops early once the output has.
+    /// their order what they leave behind. The work stops early once the output has, or at the first tile that does
+    /// not come to its end.
     pub(super) fn run<T>(
         self,
         tiles: usize,
         tools: impl Fn() -> T + Sync,
-        work: impl Fn(Tile<'_, W, S>, &mut T) + Sync,
-    ) -> Result<S, Stopped> {
+        work: impl Fn(&mut Tile<'_, W, S>, &mut T) -> Result<S, Stopped> + Sync,
+    ) -> Result<S, Ended> {
         let handed_out = AtomicUsize::new(0);
         let threads = rayon::current_num_threads();
         rayon::scope(|scope| {
@@ -115,25 +119,25 @@ impl<W: Write + Send, S: Default + AddAssign + Send> InOrder<W, S> {
                     let mut lines = new_buffer();
                     loop {
                         let number = handed_out.fetch_add(1, Ordering::Relaxed);
-                        if tiles <= number || self.lock().stopped.is_some() {
+                        if tiles <= number || self.lock().ended.is_some() {
                             return;
                         }
-                        let tile = Tile {
+                        let mut tile = Tile {
                             number,
                             shared: &self,
                             lines: &mut lines,
                             count: 0,
                             finished: false,
-                            stopped: false,
                         };
-                        work(tile, &mut tools);
+                        let left = work(&mut tile, &mut tools);
+                        tile.finish(left);
                     }
                 });
             }
         });
         let state = self.state.into_inner();
         let state = state.unwrap_or_else(PoisonError::into_inner);
-        state.stopped.map_or(Ok(state.sum), Err)
+        state.ended.map_or(Ok(state.sum), Err)
     }
 }
 
@@ -146,17 +150,23 @@ impl<W, S> InOrder<W, S> {
 
 impl<W: Write, S: Default + AddAssign> InOrder<W, S> {
     /// Takes a tile's lines and gives it an empty buffer for them; at its end also takes what it leaves behind.
-    /// `false` once the output has stopped.
-    fn take(&self, tile: usize, lines: &mut Vec<u8>, count: u64, left: Option<S>) -> bool {
+    /// `Break` once the output has stopped.
+    fn take(
+        &self,
+        tile: usize,
+        lines: &mut Vec<u8>,
+        count: u64,
+        left: Option<Result<S, Stopped>>,
+    ) -> ControlFlow<()> {
         let must_wait = |state: &mut State<W, S>| {
             // the lowest tile writes itself if nobody else does: somebody always goes on
             let is_writer = state.next == tile && state.out.is_some();
-            state.is_full() && !is_writer && state.stopped.is_none()
+            state.is_full() && !is_writer && state.ended.is_none()
         };
         let state = self.turn.wait_while(self.lock(), must_wait);
         let mut state = state.unwrap_or_else(PoisonError::into_inner);
-        if state.stopped.is_some() {
-            return false;
+        if state.ended.is_some() {
+            return ControlFlow::Break(());
         }
         let all = &mut *state;
         let waiting = all.waiting.entry(tile).or_insert_with(|| Waiting {
@@ -170,14 +180,13 @@ impl<W: Write, S: Default + AddAssign> InOrder<W, S> {
             waiting.pieces.push_back(Piece { lines, count });
             all.kept += 1;
         }
-        self.write_ready(state);
-        true
+        self.write_ready(state)
     }
 
-    /// Writes all pieces whose turn it is, unless somebody else does.
-    fn write_ready<'a>(&'a self, mut state: MutexGuard<'a, State<W, S>>) {
+    /// Writes all pieces whose turn it is, unless somebody else does. `Break` once the output has stopped.
+    fn write_ready<'a>(&'a self, mut state: MutexGuard<'a, State<W, S>>) -> ControlFlow<()> {
         let Some(mut out) = state.out.take() else {
-            return;
+            return ControlFlow::Continue(());
         };
         while let Some(mut piece) = state.next_piece() {
             drop(state);
@@ -185,7 +194,7 @@ impl<W: Write, S: Default + AddAssign> InOrder<W, S> {
             piece.lines.clear();
             state = self.lock();
             if let Err(error) = written {
-                state.stop(Stopped::Output(error));
+                state.end(Ended::Output(error));
             }
             self.wake(&state);
             state.kept -= 1;
@@ -193,11 +202,15 @@ impl<W: Write, S: Default + AddAssign> InOrder<W, S> {
         }
         state.out = Some(out);
         self.wake(&state);
+        match state.ended {
+            Some(_) => ControlFlow::Break(()),
+            None => ControlFlow::Continue(()),
+        }
     }
 
     /// Wakes those who wait, if anybody does.
     fn wake(&self, state: &State<W, S>) {
-        if state.is_full() || state.stopped.is_some() {
+        if state.is_full() || state.ended.is_some() {
             self.turn.notify_all();
         }
     }
@@ -206,7 +219,7 @@ impl<W: Write, S: Default + AddAssign> InOrder<W, S> {
 impl<W, S: AddAssign> State<W, S> {
     /// The next piece in the order, if it is there and the budget has room for it.
     fn next_piece(&mut self) -> Option<Piece> {
-        if self.stopped.is_some() {
+        if self.ended.is_some() {
             return None;
         }
         let piece = loop {
@@ -214,14 +227,20 @@ impl<W, S: AddAssign> State<W, S> {
             if let Some(piece) = lowest.pieces.pop_front() {
                 break piece;
             }
-            self.sum += lowest.left.take()?;
+            match lowest.left.take()? {
+                Ok(left) => self.sum += left,
+                Err(stopped) => {
+                    self.end(Ended::Tile(stopped));
+                    return None;
+                }
+            }
             self.waiting.remove(&self.next);
             self.next += 1;
         };
         match self.budget.checked_sub(piece.count) {
             Some(left) => self.budget = left,
             None => {
-                self.stop(Stopped::Budget);
+                self.end(Ended::Budget);
                 return None;
             }
         }
@@ -234,8 +253,8 @@ impl<W, S> State<W, S> {
         KEPT <= self.kept
     }
 
-    fn stop(&mut self, why: Stopped) {
-        self.stopped = Some(why);
+    fn end(&mut self, why: Ended) {
+        self.ended = Some(why);
         self.waiting.clear();
     }
 }
@@ -246,34 +265,29 @@ impl<W: Write, S: Default + AddAssign> Tile<'_, W, S> {
         self.number
     }
 
-    /// Adds a line, which is kept until it is worth handing over.
+    /// Adds a line, which is kept until it is worth handing over. `Break` once the output has stopped.
     #[inline]
-    pub(super) fn line(&mut self, append: impl FnOnce(&mut Vec<u8>)) {
-        if self.stopped {
-            return;
-        }
+    pub(super) fn line(&mut self, append: impl FnOnce(&mut Vec<u8>)) -> ControlFlow<()> {
         append(self.lines);
         self.count += 1;
         if PIECE <= self.lines.len() {
-            self.hand_over(None);
+            return self.hand_over(None);
         }
-    }
-
-    /// Has the output stopped taking lines?
-    pub(super) fn is_stopped(&self) -> bool {
-        self.stopped
+        ControlFlow::Continue(())
     }
 
     /// Hands over the last lines and what the tile leaves behind.
-    pub(super) fn finish(mut self, left: S) {
-        self.hand_over(Some(left));
+    fn finish(mut self, left: Result<S, Stopped>) {
+        // whether the output has stopped is asked before the next tile
+        let _ = self.hand_over(Some(left));
         self.finished = true;
     }
 
-    fn hand_over(&mut self, left: Option<S>) {
+    fn hand_over(&mut self, left: Option<Result<S, Stopped>>) -> ControlFlow<()> {
         let count = mem::take(&mut self.count);
-        self.stopped = !self.shared.take(self.number, self.lines, count, left);
+        let taken = self.shared.take(self.number, self.lines, count, left);
         self.lines.clear();
+        taken
     }
 }
 
@@ -281,7 +295,7 @@ impl<W: Write, S: Default + AddAssign> Tile<'_, W, S> {
 impl<W: Write, S: Default + AddAssign> Drop for Tile<'_, W, S> {
     fn drop(&mut self) {
         if !self.finished {
-            self.hand_over(Some(S::default()));
+            let _ = self.hand_over(Some(Ok(S::default())));
         }
     }
 }
@@ -301,14 +315,33 @@ mod tests {
     }
 
     /// 40 tiles of which the first take longest, with up to 10 pieces each.
-    fn run(threads: usize, out: impl Write + Send, budget: u64) -> Result<Vec<usize>, Stopped> {
+    fn run(threads: usize, out: impl Write + Send, budget: u64) -> Result<Vec<usize>, Ended> {
+        run_up_to(40, threads, out, budget)
+    }
+
+    /// The same, where the tiles from this one on do not come to their end.
+    fn run_up_to(
+        fails: usize,
+        threads: usize,
+        out: impl Write + Send,
+        budget: u64,
+    ) -> Result<Vec<usize>, Ended> {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads);
-        let work = |mut tile: Tile<'_, _, Order>, (): &mut ()| {
+        let work = |tile: &mut Tile<'_, _, Order>, (): &mut ()| {
             let number = tile.number();
             for _ in number..40 {
-                tile.line(|lines| lines.resize(lines.len() + PIECE / 4, number as u8));
+                let line = |lines: &mut Vec<u8>| {
+                    lines.resize(lines.len() + PIECE / 4, number as u8);
+                };
+                if tile.line(line).is_break() {
+                    return Err(Stopped::Recorder);
+                }
             }
-            tile.finish(Order(vec![number]));
+            if fails <= number {
+                let pixel = [number as u32, 0];
+                return Err(Stopped::Rays { pixel, max_rays: 7 });
+            }
+            Ok(Order(vec![number]))
         };
         let shared = InOrder::new(out, budget);
         let run = || shared.run(40, || (), work);
@@ -333,9 +366,25 @@ mod tests {
     fn a_spent_budget_stops_all_tiles() {
         for threads in [1, 2, 8] {
             let run = |budget| run(threads, io::sink(), budget as u64);
-            assert!(matches!(run(100), Err(Stopped::Budget)));
+            assert!(matches!(run(100), Err(Ended::Budget)));
             assert!(run(LINES).is_ok());
-            assert!(matches!(run(LINES - 1), Err(Stopped::Budget)));
+            assert!(matches!(run(LINES - 1), Err(Ended::Budget)));
+        }
+    }
+
+    #[test]
+    fn of_tiles_that_do_not_come_to_their_end_the_first_in_the_order_ends_the_run() {
+        for threads in [1, 2, 8] {
+            let mut out = Vec::new();
+            let ended = run_up_to(5, threads, &mut out, u64::MAX);
+            let pixel = [5, 0];
+            assert!(
+                matches!(ended, Err(Ended::Tile(stopped))
+                    if stopped == Stopped::Rays { pixel, max_rays: 7 }),
+                "{ended:?}, {threads} threads"
+            );
+            // its own lines are written, and those of no later one
+            assert_eq!(out.last(), Some(&5), "{threads} threads");
         }
     }
 
@@ -359,9 +408,9 @@ mod tests {
     #[test]
     fn an_output_that_fails_stops_all_tiles() {
         for threads in [1, 2, 8] {
-            let stopped = run(threads, Full(LINES * PIECE / 8), u64::MAX);
-            match stopped {
-                Err(Stopped::Output(error)) => {
+            let ended = run(threads, Full(LINES * PIECE / 8), u64::MAX);
+            match ended {
+                Err(Ended::Output(error)) => {
                     assert_eq!(error.kind(), io::ErrorKind::StorageFull);
                 }
                 _ => panic!("it must stop, on {threads} threads"),
@@ -375,7 +424,7 @@ mod tests {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(2).build();
         let made = AtomicUsize::new(0);
         let shared: InOrder<_, Order> = InOrder::new(io::sink(), u64::MAX);
-        let work = |mut tile: Tile<'_, _, Order>, (): &mut ()| {
+        let work = |tile: &mut Tile<'_, _, Order>, (): &mut ()| {
             if tile.number() == 0 {
                 while made.load(Ordering::SeqCst) < KEPT {
                     std::thread::yield_now();
@@ -385,11 +434,11 @@ mod tests {
                 assert_eq!(made.load(Ordering::SeqCst), KEPT);
             } else {
                 for _ in 0..3 * KEPT {
-                    tile.line(|lines| lines.resize(PIECE, 0));
+                    assert!(tile.line(|lines| lines.resize(PIECE, 0)).is_continue());
                     made.fetch_add(1, Ordering::SeqCst);
                 }
             }
-            tile.finish(Order::default());
+            Ok(Order::default())
         };
         pool.unwrap()
             .install(|| shared.run(2, || (), work))

@@ -192,7 +192,10 @@ fn check_amount<S: Strategy>(
     let mut counts = Counts::default();
     let started = Instant::now();
     for path in 0..PROBE {
-        tracer.follow_light(&lamps, path, &mut NoWatcher, &mut counts);
+        let followed = tracer.follow_light(&lamps, path, &mut NoWatcher, &mut counts);
+        if followed.is_break() {
+            break;
+        }
         if 0 < counts.light.cut_off && settings.light.bounces.is_none() {
             let surfaces = MOST_SURFACES;
             return Err(LightError::Endless { surfaces });

@@ -1,6 +1,7 @@
 //! The first half of the transports that follow light: all paths of light, over threads, and what they leave.
 
 use std::collections::BTreeSet;
+use std::ops::ControlFlow;
 
 use glam::DVec3;
 use rayon::prelude::*;
@@ -12,7 +13,7 @@ use crate::tracer::flat_face::Patch;
 use crate::tracer::forward::Eye;
 use crate::tracer::hybrid_stored::{StoredLight, StoredPhoton, Storing};
 use crate::tracer::light_path::Lamps;
-use crate::tracer::{Tracer, trace_pixel};
+use crate::tracer::{Stopped, Tracer, trace_pixel};
 
 /// How many paths a thread follows at a time.
 pub(super) const PIECE: u64 = 1024;
@@ -53,6 +54,9 @@ impl LightPass {
     ///
     /// Of the pixels in `region` it is remembered which paths they saw. `heard` is given what the recorders have
     /// heard, piece by piece in the order of the paths; `done` hears how many paths have been followed.
+    ///
+    /// # Errors
+    /// A recorder that has enough.
     pub fn new<S: Strategy, R: Recorder + Default + Send>(
         scene: &Scene,
         strategy: &S,
@@ -60,9 +64,9 @@ impl LightPass {
         region: Option<Region>,
         mut heard: impl FnMut(R),
         done: impl Fn(u64),
-    ) -> Option<Self> {
+    ) -> Result<Option<Self>, Stopped> {
         if !settings.transport.follows_light() {
-            return None;
+            return Ok(None);
         }
         let tracer = Tracer::new(scene, strategy, settings.transport);
         let lamps = Lamps::new(scene, settings);
@@ -81,15 +85,18 @@ impl LightPass {
             let mut recorder = R::default();
             let first = number * PIECE;
             for path in first..(first + PIECE).min(lamps.paths) {
-                left.add(&tracer, &lamps, &settings.light, path as u32, &mut recorder);
+                let followed =
+                    left.add(&tracer, &lamps, &settings.light, path as u32, &mut recorder);
+                Stopped::unless_whole(followed, &recorder)?;
             }
-            (left, recorder)
+            Ok((left, recorder))
         };
         let pieces = lamps.paths.div_ceil(PIECE);
         for first in (0..pieces).step_by(PIECES as usize) {
             let last = (first + PIECES).min(pieces);
-            let together: Vec<_> = (first..last).into_par_iter().map(piece).collect();
-            for (left, recorder) in together {
+            let together: Result<Vec<_>, Stopped> =
+                (first..last).into_par_iter().map(piece).collect();
+            for (left, recorder) in together? {
                 for Seen {
                     path,
                     pixel,
@@ -106,14 +113,14 @@ impl LightPass {
             }
             done((last * PIECE).min(lamps.paths));
         }
-        Some(Self {
+        Ok(Some(Self {
             options: settings.light,
             lamps,
             pixels,
             seen,
             stored: StoredLight::new(scene, &settings.light, stored),
             reached,
-        })
+        }))
     }
 
     /// The light that is stored on the surfaces.
@@ -132,25 +139,28 @@ impl LightPass {
 /// gathered photons came on, and those that its own paths were connected to.
 ///
 /// The light pass must have been made with the same region.
+///
+/// # Errors
+/// A pixel that takes more rays than the tracer allows.
 pub fn paths_behind<S: Strategy>(
     tracer: &Tracer<'_, S>,
     region: Region,
     through: Through,
-) -> BTreeSet<u32> {
+) -> Result<BTreeSet<u32>, Stopped> {
     let Some(light) = tracer.light else {
-        return BTreeSet::new();
+        return Ok(BTreeSet::new());
     };
     let mut paths = light.reached.clone();
     if tracer.transport == Transport::Forward {
-        return paths;
+        return Ok(paths);
     }
     for y in region.from[1]..=region.to[1] {
         for x in region.from[0]..=region.to[0] {
             let mut behind = PathsBehind { paths: &mut paths };
-            trace_pixel(tracer, [x, y], through, &mut behind);
+            trace_pixel(tracer, [x, y], through, &mut behind)?;
         }
     }
-    paths
+    Ok(paths)
 }
 
 /// Hears which paths of light a pixel's colour comes from. A recorder.
@@ -172,9 +182,17 @@ impl Recorder for PathsBehind<'_> {
 
 impl<S: Strategy> Tracer<'_, S> {
     /// Follows a path of light once more, with everything that happens on it.
-    pub fn trace_path<R: Recorder>(&self, path: u32, recorder: &mut R) {
-        if let Some(light) = self.light {
-            Yield::default().add(self, &light.lamps, &light.options, path, recorder);
+    ///
+    /// # Errors
+    /// A recorder that has enough.
+    pub fn trace_path<R: Recorder>(&self, path: u32, recorder: &mut R) -> Result<(), Stopped> {
+        match self.light {
+            Some(light) => {
+                let mut left = Yield::default();
+                let followed = left.add(self, &light.lamps, &light.options, path, recorder);
+                Stopped::unless_whole(followed, recorder)
+            }
+            None => Ok(()),
         }
     }
 }
@@ -188,14 +206,14 @@ impl Yield {
         options: &LightOptions,
         path: u32,
         recorder: &mut R,
-    ) {
+    ) -> ControlFlow<()> {
         let camera = &tracer.scene.camera;
         match tracer.transport {
             // they follow no light
             Transport::Backward | Transport::HybridLight => {}
             Transport::Forward => {
                 let mut eye = Eye::new(camera, options);
-                tracer.follow_light(lamps, path, &mut eye, recorder);
+                tracer.follow_light(lamps, path, &mut eye, recorder)?;
                 self.seen.extend(eye.arrivals.iter().map(|arrival| Seen {
                     path,
                     pixel: arrival.pixel,
@@ -208,11 +226,11 @@ impl Yield {
                     path,
                     photons: std::mem::take(&mut self.stored),
                 };
-                tracer.follow_light(lamps, path, &mut storing, recorder);
+                tracer.follow_light(lamps, path, &mut storing, recorder)?;
                 self.stored = storing.photons;
             }
             Transport::HybridConnected => {
-                let lines = tracer.seen_by_the_eye(lamps, path, recorder);
+                let lines = tracer.seen_by_the_eye(lamps, path, recorder)?;
                 self.seen.extend(lines.iter().filter_map(|line| {
                     Some(Seen {
                         path,
@@ -222,6 +240,7 @@ impl Yield {
                 }));
             }
         }
+        ControlFlow::Continue(())
     }
 }
 

@@ -1,5 +1,7 @@
 //! Paths of light: photons from the lamps, of which each carries the same power.
 
+use std::ops::ControlFlow;
+
 use glam::DVec3;
 
 use crate::geometry::{Ray, TRange};
@@ -82,10 +84,12 @@ impl<S: Strategy> Tracer<'_, S> {
         path: u32,
         watcher: &mut impl Watcher,
         recorder: &mut R,
-    ) -> Option<LightStart> {
+    ) -> ControlFlow<(), Option<LightStart>> {
         let mut chance = Chance::of_light(lamps.seed, path);
         let number = lamps.choose(&mut chance);
-        let light = self.scene.lights.get(number)?;
+        let Some(light) = self.scene.lights.get(number) else {
+            return ControlFlow::Continue(None);
+        };
         let power = DVec3::splat(lamps.photon);
         recorder.note(|| {
             Event::Path(PathStart {
@@ -107,10 +111,10 @@ impl<S: Strategy> Tracer<'_, S> {
             window_t: None,
             light: Some(number as u32),
         };
-        self.walk(start, power, lamps.most, &mut chance, watcher, recorder);
-        Some(LightStart {
+        self.walk(start, power, lamps.most, &mut chance, watcher, recorder)?;
+        ControlFlow::Continue(Some(LightStart {
             position: light.position,
             power,
-        })
+        }))
     }
 }

@@ -1,7 +1,7 @@
 //! The log of a picture or a part of it, streamed while it is traced.
 
 use std::io::{self, Write};
-use std::ops::AddAssign;
+use std::ops::{AddAssign, ControlFlow, Range};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use crate::strategy::Strategy;
@@ -9,9 +9,9 @@ use crate::trace::{
     EventWriter, Filter, Kinds, LogNames, Record, Recorder, Recording, Region, Settings, Sink,
     write_log_head,
 };
-use crate::tracer::in_order::{InOrder, Stopped, Tile};
+use crate::tracer::in_order::{Ended, InOrder, Tile};
 use crate::tracer::light_pass::PIECE as PATHS;
-use crate::tracer::{Tracer, trace_pixel};
+use crate::tracer::{Stopped, Tracer, trace_pixel};
 
 /// What of the trace is written.
 #[derive(Clone, Debug)]
@@ -63,6 +63,60 @@ pub enum LogStopped {
     Output(io::Error),
     /// There are more events than the budget allows.
     Budget,
+    /// A pixel takes more rays than it may, or what else hears of the trace has enough.
+    Trace(Stopped),
+}
+
+/// A part of a log: parts are traced by whichever thread is free, and written in their order.
+enum Part {
+    /// How the structure was built.
+    Building,
+    /// The paths of light at these places in the order.
+    Paths(Range<usize>),
+    /// A pixel.
+    Pixel([u32; 2]),
+}
+
+/// Which parts a log has.
+struct Parts {
+    /// How the structure was built is the first part, if it is wanted.
+    building: bool,
+    /// How many paths of light there are.
+    paths: usize,
+    region: Region,
+}
+
+impl Parts {
+    /// How many parts come before the pixels: the building, and the paths of light in pieces.
+    fn before_pixels(&self) -> usize {
+        usize::from(self.building) + self.paths.div_ceil(PATHS as usize)
+    }
+
+    /// How many pixels a scan line has.
+    fn width(&self) -> usize {
+        (self.region.to[0] - self.region.from[0] + 1) as usize
+    }
+
+    fn len(&self) -> usize {
+        let rows = (self.region.to[1] - self.region.from[1] + 1) as usize;
+        self.before_pixels() + self.width() * rows
+    }
+
+    /// The part of this number.
+    fn get(&self, number: usize) -> Part {
+        if let Some(pixel) = number.checked_sub(self.before_pixels()) {
+            let [left, top] = self.region.from;
+            let [column, row] = [pixel % self.width(), pixel / self.width()];
+            return Part::Pixel([left + column as u32, top + row as u32]);
+        }
+        match number.checked_sub(usize::from(self.building)) {
+            None => Part::Building,
+            Some(piece) => {
+                let first = piece * PATHS as usize;
+                Part::Paths(first..(first + PATHS as usize).min(self.paths))
+            }
+        }
+    }
 }
 
 /// Writes the log of a region: the head, how the structure was built if that is wanted, the paths of light,
@@ -73,10 +127,10 @@ pub enum LogStopped {
 /// scan lines' worth of pixels is finished. A pixel's eye rays are its own here, also through the corners, so that
 /// each pixel of the log stands alone.
 ///
-/// What else shall hear of the trace (`Counts`, or `Off`) is given back, summed up in the same order.
+/// What else shall hear of the rays (`Counts`, or `Off`) is given back, summed up in the same order.
 ///
 /// # Errors
-/// A failing output, or more events than the budget.
+/// A failing output, more events than the budget, or a pixel that takes more rays than the tracer allows.
 pub fn write_log<S: Strategy, R: Recorder + Default + AddAssign + Send>(
     tracer: &Tracer<'_, S>,
     settings: &Settings,
@@ -86,126 +140,58 @@ pub fn write_log<S: Strategy, R: Recorder + Default + AddAssign + Send>(
 ) -> Result<R, LogStopped> {
     write_log_head(tracer.scene, settings, &mut out).map_err(LogStopped::Output)?;
     let names = LogNames::new(tracer.scene);
-    let mut budget = options.budget;
-    if settings.building {
-        let mut building = Recording::new(Filter {
-            kinds: options.kinds,
-            region: None,
-            sink: Building {
-                writer: EventWriter::new(&names),
-                lines: Vec::new(),
-                out: &mut out,
-                budget: &mut budget,
-                stopped: None,
-            },
-        });
-        tracer.strategy.note_building(&mut building);
-        building.into_sink().sink.finish()?;
-    }
-    let ([left, top], [right, bottom]) = (options.region.from, options.region.to);
-    let width = (right - left + 1) as usize;
-    let pixels = width * (bottom - top + 1) as usize;
+    let parts = Parts {
+        building: settings.building,
+        paths: options.paths.len(),
+        region: options.region,
+    };
     let finished = AtomicUsize::new(0);
-
-    // paths of light come before the pixels
-    let pieces = options.paths.len().div_ceil(PATHS as usize);
-    let trace = |tile: Tile<'_, _, R>, writer: &mut EventWriter<'_>| {
-        let number = tile.number();
+    let trace = |tile: &mut Tile<'_, _, R>, writer: &mut EventWriter<'_>| -> Result<R, Stopped> {
+        let part = parts.get(tile.number());
         let recording = Recording::new(Filter {
             kinds: options.kinds,
             region: None,
             sink: TileSink { writer, tile },
         });
         let mut both = (recording, R::default());
-        match number.checked_sub(pieces) {
-            None => {
-                let first = number * PATHS as usize;
-                let last = (first + PATHS as usize).min(options.paths.len());
-                for place in first..last {
-                    tracer.trace_path(options.paths.get(place), &mut both);
-                    if both.0.sink().sink.tile.is_stopped() {
-                        break;
-                    }
+        match part {
+            Part::Building => tracer.strategy.note_building(&mut both.0),
+            Part::Paths(places) => {
+                for place in places {
+                    tracer.trace_path(options.paths.get(place), &mut both)?;
                 }
             }
-            Some(pixel) => {
-                let pixel = [left + (pixel % width) as u32, top + (pixel / width) as u32];
-                trace_pixel(tracer, pixel, settings.through, &mut both);
+            Part::Pixel(pixel) => {
+                trace_pixel(tracer, pixel, settings.through, &mut both)?;
                 let finished = finished.fetch_add(1, Ordering::Relaxed) + 1;
-                if finished.is_multiple_of(width) {
-                    done(finished / width);
+                if finished.is_multiple_of(parts.width()) {
+                    done(finished / parts.width());
                 }
             }
         }
-        let (recording, heard) = both;
-        recording.into_sink().sink.tile.finish(heard);
+        Ok(both.1)
     };
-    let shared = InOrder::new(&mut out, budget);
-    let heard = shared.run(pieces + pixels, || EventWriter::new(&names), trace);
-    let heard = heard.map_err(|stopped| match stopped {
-        Stopped::Output(error) => LogStopped::Output(error),
-        Stopped::Budget => LogStopped::Budget,
+    let shared = InOrder::new(&mut out, options.budget);
+    let heard = shared.run(parts.len(), || EventWriter::new(&names), trace);
+    let heard = heard.map_err(|ended| match ended {
+        Ended::Output(error) => LogStopped::Output(error),
+        Ended::Budget => LogStopped::Budget,
+        Ended::Tile(stopped) => LogStopped::Trace(stopped),
     })?;
     out.flush().map_err(LogStopped::Output)?;
     Ok(heard)
 }
 
-/// Writes how a structure was built, piece by piece.
-struct Building<'a, W> {
-    writer: EventWriter<'a>,
-    lines: Vec<u8>,
-    out: W,
-    budget: &'a mut u64,
-    stopped: Option<LogStopped>,
-}
-
-/// How many bytes of it are kept before they are written.
-const PIECE: usize = 1 << 16;
-
-impl<W: Write> Building<'_, W> {
-    fn write(&mut self) {
-        if let Err(error) = self.out.write_all(&self.lines) {
-            self.stopped = Some(LogStopped::Output(error));
-        }
-        self.lines.clear();
-    }
-
-    fn finish(mut self) -> Result<(), LogStopped> {
-        if self.stopped.is_none() {
-            self.write();
-        }
-        self.stopped.map_or(Ok(()), Err)
-    }
-}
-
-impl<W: Write> Sink for Building<'_, W> {
-    fn record(&mut self, record: &Record) {
-        if self.stopped.is_some() {
-            return;
-        }
-        match self.budget.checked_sub(1) {
-            None => self.stopped = Some(LogStopped::Budget),
-            Some(left) => {
-                *self.budget = left;
-                self.writer.line(record, &mut self.lines);
-                if PIECE <= self.lines.len() {
-                    self.write();
-                }
-            }
-        }
-    }
-}
-
 /// Makes lines of the records of one tile.
-struct TileSink<'a, 'n, W: Write, R: Default + AddAssign> {
-    writer: &'a mut EventWriter<'n>,
-    tile: Tile<'a, W, R>,
+struct TileSink<'t, 'a, 'n, W: Write, R: Default + AddAssign> {
+    writer: &'t mut EventWriter<'n>,
+    tile: &'t mut Tile<'a, W, R>,
 }
 
-impl<W: Write + Send, R: Default + AddAssign> Sink for TileSink<'_, '_, W, R> {
+impl<W: Write + Send, R: Default + AddAssign> Sink for TileSink<'_, '_, '_, W, R> {
     #[inline]
-    fn record(&mut self, record: &Record) {
+    fn record(&mut self, record: &Record) -> ControlFlow<()> {
         let writer = &mut *self.writer;
-        self.tile.line(|lines| writer.line(record, lines));
+        self.tile.line(|lines| writer.line(record, lines))
     }
 }

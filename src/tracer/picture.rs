@@ -8,7 +8,8 @@ use rayon::prelude::*;
 use crate::strategy::Strategy;
 use crate::trace::{Recorder, Through, Transport};
 use crate::tracer::pixel::mean;
-use crate::tracer::{Tracer, trace_pixel};
+use crate::tracer::ray_limit::within;
+use crate::tracer::{Stopped, Tracer, trace_pixel};
 
 /// The colours of a picture, row by row from the top left, before they are cut to 0..1.
 #[derive(Clone, Debug, PartialEq)]
@@ -35,11 +36,15 @@ impl Picture {
 ///
 /// Through the corners, a picture of W × H pixels takes (W + 1) × (H + 1) eye rays, each shared by the
 /// pixels around it. `done` hears how many scan lines of eye rays are finished.
+///
+/// # Errors
+/// A recorder that has enough, or more rays than [`Tracer::max_rays`]: of the first such pixel from the top left,
+/// on any number of threads.
 pub fn render<S: Strategy, R: Recorder + Default + Send>(
     tracer: &Tracer<'_, S>,
     through: Through,
     done: impl Fn(usize) + Sync,
-) -> (Picture, Vec<R>) {
+) -> Result<(Picture, Vec<R>), Stopped> {
     let camera = &tracer.scene.camera;
     let [width, height] = camera.pixels.map(|side| side as usize);
     // what light itself brings comes to the whole area of a pixel
@@ -54,24 +59,36 @@ pub fn render<S: Strategy, R: Recorder + Default + Send>(
         Through::Corners => (width + 1, height + 1, 0.0),
     };
 
-    let finished = AtomicUsize::new(0);
-    let trace_row = |row: usize| {
-        let mut recorder = R::default();
-        let colours: Vec<DVec3> = (0..columns)
-            .map(|column| {
-                if by_pixel {
-                    let pixel = [column as u32, row as u32];
-                    return trace_pixel(tracer, pixel, through, &mut recorder);
-                }
-                let (ray, window_t) = camera.eye_ray(column as f64 + offset, row as f64 + offset);
-                tracer.eye_ray(ray, window_t, &mut recorder)
-            })
-            .collect();
-        done(finished.fetch_add(1, Ordering::Relaxed) + 1);
-        (colours, recorder)
+    let trace = |column: usize, row: usize, recorder: &mut R| {
+        // the last corners to the right and below belong to the last pixels
+        let pixel = [column.min(width - 1) as u32, row.min(height - 1) as u32];
+        if by_pixel {
+            return trace_pixel(tracer, pixel, through, recorder);
+        }
+        let (ray, window_t) = camera.eye_ray(column as f64 + offset, row as f64 + offset);
+        within(tracer.max_rays, pixel, recorder, |recorder| {
+            tracer.eye_ray(ray, window_t, recorder)
+        })
     };
-    let (lines, recorders): (Vec<Vec<DVec3>>, Vec<R>) =
-        (0..rows).into_par_iter().map(trace_row).unzip();
+    let finished = AtomicUsize::new(0);
+    let topmost_stopped = AtomicUsize::new(rows);
+    let trace_row = |row: usize| -> Option<Result<(Vec<DVec3>, R), Stopped>> {
+        if topmost_stopped.load(Ordering::Relaxed) < row {
+            return None;
+        }
+        let mut recorder = R::default();
+        let line = (0..columns).map(|column| trace(column, row, &mut recorder));
+        let line: Result<Vec<DVec3>, Stopped> = line.collect();
+        if line.is_err() {
+            topmost_stopped.fetch_min(row, Ordering::Relaxed);
+        }
+        done(finished.fetch_add(1, Ordering::Relaxed) + 1);
+        Some(line.map(|line| (line, recorder)))
+    };
+    let traced: Vec<_> = (0..rows).into_par_iter().map(trace_row).collect();
+    // a line is left out only below one that stopped
+    let traced: Result<Vec<_>, Stopped> = traced.into_iter().flatten().collect();
+    let (lines, recorders): (Vec<_>, Vec<_>) = traced?.into_iter().unzip();
 
     let colours = match through {
         Through::Centres => lines.into_iter().flatten().collect(),
@@ -89,5 +106,5 @@ pub fn render<S: Strategy, R: Recorder + Default + Send>(
         pixels: camera.pixels,
         colours,
     };
-    (picture, recorders)
+    Ok((picture, recorders))
 }

@@ -1,10 +1,13 @@
 //! One pixel: its places on the window, its eye rays, its colour.
 
+use std::ops::ControlFlow;
+
 use glam::{DVec2, DVec3};
 
 use crate::strategy::Strategy;
 use crate::trace::{Event, PixelColour, PixelSample, Recorder, Through, Transport};
-use crate::tracer::{LightPass, Tracer};
+use crate::tracer::ray_limit::within;
+use crate::tracer::{LightPass, Stopped, Tracer};
 
 /// The places through which a pixel's eye rays pass, in pixels from the window's top left corner.
 ///
@@ -29,21 +32,31 @@ pub(super) fn mean(colours: impl ExactSizeIterator<Item = DVec3>) -> DVec3 {
 }
 
 /// The colour of one pixel, before it is cut to 0..1, with everything that led to it.
+///
+/// # Errors
+/// A recorder that has enough, or more rays than [`Tracer::max_rays`].
 pub fn trace_pixel<S: Strategy, R: Recorder>(
     tracer: &Tracer<'_, S>,
     pixel: [u32; 2],
     through: Through,
     recorder: &mut R,
-) -> DVec3 {
-    match (tracer.transport, tracer.light) {
-        (Transport::Forward, Some(light)) => seen_pixel(tracer, light, pixel, recorder),
-        (Transport::HybridConnected, Some(light)) => {
-            let raw = tracer.connected_pixel(light, pixel, recorder);
-            note_colour(raw, recorder);
-            raw
-        }
-        _ => eye_pixel(tracer, pixel, through, recorder),
-    }
+) -> Result<DVec3, Stopped> {
+    within(tracer.max_rays, pixel, recorder, |recorder| {
+        let raw = match (tracer.transport, tracer.light) {
+            (Transport::Forward, Some(light)) => seen_pixel(tracer, light, pixel, recorder),
+            (Transport::HybridConnected, Some(light)) => {
+                tracer.connected_pixel(light, pixel, recorder)?
+            }
+            _ => eye_pixel(tracer, pixel, through, recorder)?,
+        };
+        recorder.note(|| {
+            Event::PixelColour(PixelColour {
+                raw,
+                clamped: raw.clamp(DVec3::ZERO, DVec3::ONE),
+            })
+        });
+        ControlFlow::Continue(raw)
+    })
 }
 
 /// A pixel into which eye rays are sent.
@@ -52,7 +65,7 @@ fn eye_pixel<S: Strategy, R: Recorder>(
     pixel: [u32; 2],
     through: Through,
     recorder: &mut R,
-) -> DVec3 {
+) -> ControlFlow<(), DVec3> {
     let places = eye_samples(pixel, through);
     let samples = places.len();
     let mut colours = [DVec3::ZERO; 4];
@@ -69,11 +82,9 @@ fn eye_pixel<S: Strategy, R: Recorder>(
             })
         });
         let (ray, window_t) = camera.eye_ray(place.x, place.y);
-        colours[sample] = tracer.eye_ray(ray, window_t, recorder);
+        colours[sample] = tracer.eye_ray(ray, window_t, recorder)?;
     }
-    let raw = mean(colours[..samples].iter().copied());
-    note_colour(raw, recorder);
-    raw
+    ControlFlow::Continue(mean(colours[..samples].iter().copied()))
 }
 
 /// A pixel into which photons have come: no ray is sent from it.
@@ -93,16 +104,5 @@ fn seen_pixel<S: Strategy, R: Recorder>(
             point: tracer.scene.camera.window_point(place.x, place.y),
         })
     });
-    let raw = light.seen(pixel);
-    note_colour(raw, recorder);
-    raw
-}
-
-fn note_colour<R: Recorder>(raw: DVec3, recorder: &mut R) {
-    recorder.note(|| {
-        Event::PixelColour(PixelColour {
-            raw,
-            clamped: raw.clamp(DVec3::ZERO, DVec3::ONE),
-        })
-    });
+    light.seen(pixel)
 }

@@ -1,5 +1,7 @@
 //! V: does nothing stand between two points? Any object that is met is enough to say no; the nearest is not asked for.
 
+use std::ops::ControlFlow;
+
 use crate::strategy::Strategy;
 use crate::trace::{Event, Outcome, RayEnd, RayStart, Recorder};
 use crate::tracer::Tracer;
@@ -11,7 +13,8 @@ impl<S: Strategy> Tracer<'_, S> {
         start: RayStart,
         arrives: Outcome,
         recorder: &mut R,
-    ) -> bool {
+    ) -> ControlFlow<(), bool> {
+        recorder.next_ray()?;
         recorder.note(|| Event::Ray(start));
         let hit = self.strategy.any(&start.ray, start.range, recorder);
         recorder.note(|| {
@@ -22,6 +25,6 @@ impl<S: Strategy> Tracer<'_, S> {
                 ..RayEnd::default()
             })
         });
-        hit.is_none()
+        ControlFlow::Continue(hit.is_none())
     }
 }

@@ -1,6 +1,8 @@
 //! A path from surface to surface, on which chance decides at each of them: for photons from a light, and for
 //! paths from the eye.
 
+use std::ops::ControlFlow;
+
 use glam::DVec3;
 
 use crate::geometry::{Ray, reflect};
@@ -56,7 +58,8 @@ pub(super) struct NoWatcher;
 impl Watcher for NoWatcher {}
 
 impl<S: Strategy> Tracer<'_, S> {
-    /// Follows a path until it leaves the scene, is absorbed, or has met `most` surfaces.
+    /// Follows a path until it leaves the scene, is absorbed, or has met `most` surfaces. `Break` if the recorder has
+    /// enough before.
     pub(super) fn walk<R: Recorder>(
         &self,
         mut start: RayStart,
@@ -65,9 +68,10 @@ impl<S: Strategy> Tracer<'_, S> {
         chance: &mut Chance,
         watcher: &mut impl Watcher,
         recorder: &mut R,
-    ) {
+    ) -> ControlFlow<()> {
         let mut is_scattered = false;
         for surfaces in 0..=most {
+            recorder.next_ray()?;
             recorder.note(|| Event::Ray(start));
             let hit = self.strategy.nearest(&start.ray, start.range, recorder);
             let leg = Leg {
@@ -78,10 +82,12 @@ impl<S: Strategy> Tracer<'_, S> {
             };
             watcher.leg(&leg, recorder);
             let Some(hit) = hit else {
-                return note_end(Outcome::Miss, None, recorder);
+                note_end(Outcome::Miss, None, recorder);
+                break;
             };
             if surfaces == most {
-                return note_end(Outcome::CutOff, Some(hit), recorder);
+                note_end(Outcome::CutOff, Some(hit), recorder);
+                break;
             }
 
             let surface = self.surface(&start, hit);
@@ -98,7 +104,7 @@ impl<S: Strategy> Tracer<'_, S> {
 
             power = photon.leaving();
             let (direction, purpose) = match photon.fate {
-                PhotonFate::Absorbed => return,
+                PhotonFate::Absorbed => break,
                 PhotonFate::Diffused => {
                     is_scattered = true;
                     (chance.around(surface.across), Purpose::Scattered)
@@ -121,6 +127,7 @@ impl<S: Strategy> Tracer<'_, S> {
             };
             start = surface.sends(direction, purpose);
         }
+        ControlFlow::Continue(())
     }
 }
 

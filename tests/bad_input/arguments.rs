@@ -247,35 +247,6 @@ error: there are more events than the budget of 1000
 }
 
 #[test]
-fn a_pixel_whose_tree_of_rays_never_ends_is_stopped_by_its_budget() {
-    // between three panes that reflect and transmit, each ray becomes two, a hundred times over
-    let pane = |name: &str, z: i32| {
-        format!(
-            r#"{{ "name": "{name}", "material": "pane", "shape": {{ "polygon": {{ "vertices":
-               [[-9, -9, {z}], [9, -9, {z}], [9, 9, {z}], [-9, 9, {z}]] }} }} }}"#
-        )
-    };
-    let scene = format!(
-        r#"{{ "camera": {{ "look_at": {{ "cop": [0, 0, 0], "target": [0, 0, -1], "up": [0, 1, 0],
-             "fov_degrees": 30 }}, "pixels": [9, 9] }},
-             "materials": {{ "pane": {{ "colour": [1, 1, 1], "reflection": 0.5, "transmission": 0.5 }} }},
-             "objects": [{}, {}, {}], "max_depth": 100 }}"#,
-        pane("A", -1),
-        pane("B", -2),
-        pane("C", -3)
-    );
-    let folder = Folder::empty().with("panes.json", scene);
-    assert_data_eq!(
-        folder.run("pixel panes.json 4,4 --budget 100000").refused(),
-        str![[r#"
-error: there are more events than the budget of 100000
-  narrow the trace with --region or --only, lower --max-depth, or raise --budget
-
-"#]]
-    );
-}
-
-#[test]
 fn json_is_not_written_under_the_ending_of_another_format() {
     assert_data_eq!(
         refuses("convert scene.json scene.nff"),

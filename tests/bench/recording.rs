@@ -107,7 +107,7 @@ fn trace_pixels<R: Recorder>(
     let tracer = Tracer::new(scene, &strategy, settings.transport);
     let mut region = Region::pixel([SIDE / 2, ROW]);
     while !enough(recorder) {
-        trace_pixel(&tracer, region.to, settings.through, recorder);
+        trace_pixel(&tracer, region.to, settings.through, recorder).unwrap();
         region.to[0] += 1;
     }
     region.to[0] -= 1;
@@ -151,7 +151,7 @@ impl Whole {
         match write_log(&tracer, &settings, &options, out, |_| {}) {
             Ok(Off) => Ok(()),
             Err(LogStopped::Output(error)) => Err(error),
-            Err(LogStopped::Budget) => unreachable!("there is no limit"),
+            Err(stopped) => unreachable!("there is no limit: {stopped:?}"),
         }
     }
 }

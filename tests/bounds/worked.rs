@@ -19,7 +19,7 @@ fn solution<const N: usize>(
     let strategy = BoundedObjects::new(scene, kind, set);
     let tracer = Tracer::new(scene, &strategy, Transport::HybridLight);
     let mut recording = Recording::new(Vec::new());
-    trace_pixel(&tracer, pixel, Through::Centres, &mut recording);
+    trace_pixel(&tracer, pixel, Through::Centres, &mut recording).unwrap();
     let options = WorkedOptions::default();
     let records = recording.into_sink();
     worked_solution(scene, &Settings::default(), &records, &options)

@@ -24,7 +24,7 @@ const MOST: [u8; 3] = [253, 231, 37];
 
 fn values<S: Strategy>(scene: &Scene, strategy: &S, of: HeatOf, through: Through) -> Vec<f64> {
     let tracer = Tracer::new(scene, strategy, Transport::HybridLight);
-    let (_, lines) = render::<_, HeatLine>(&tracer, through, |_| {});
+    let (_, lines) = render::<_, HeatLine>(&tracer, through, |_| {}).unwrap();
     heat_values(&lines, of, through)
 }
 

@@ -59,7 +59,7 @@ fn cost_of_the_first_pixel(scene: &Scene, settings: &Settings) -> Result<Cost, S
     let strategy = Chosen::new(scene, settings.strategy, &settings.structure)?;
     let tracer = Tracer::new(scene, &strategy, settings.transport);
     let mut counts = Counts::default();
-    trace_pixel(&tracer, [0, 0], settings.through, &mut counts);
+    trace_pixel(&tracer, [0, 0], settings.through, &mut counts).unwrap();
     Ok(Cost {
         counts,
         bytes: strategy.bytes(),

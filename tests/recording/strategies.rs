@@ -10,7 +10,9 @@ use crate::trace_log::{all_of, strategy, tracer};
 
 fn picture(scene: &Scene, settings: &Settings) -> Picture {
     on(scene, settings, |tracer| {
-        render::<_, Off>(tracer, settings.through, |_| {}).0
+        render::<_, Off>(tracer, settings.through, |_| {})
+            .unwrap()
+            .0
     })
 }
 

@@ -2,6 +2,8 @@
 
 mod searched;
 
+use std::ops::ControlFlow;
+
 use glam::DVec3;
 use raystep::{
     Counts, Event, Fate, Kind, LightTerm, Nearest, Outcome, PlaneVerdict, Purpose, RayEnd,
@@ -33,7 +35,7 @@ pub(super) struct Sums {
 }
 
 impl Sink for Sums {
-    fn record(&mut self, record: &Record) {
+    fn record(&mut self, record: &Record) -> ControlFlow<()> {
         if let Some((kind, hit)) = tested(&record.event) {
             let at = Counts::TESTS.iter().position(|&known| known == kind);
             let [tests, hits] = &mut self.tests[at.unwrap()];
@@ -60,6 +62,7 @@ impl Sink for Sums {
             }
             _ => {}
         }
+        ControlFlow::Continue(())
     }
 }
 

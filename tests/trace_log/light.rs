@@ -17,7 +17,7 @@ const FOLLOWING: [Transport; 3] = [
 /// The whole log, with all paths of light.
 fn log(scene: &Scene, settings: &Settings) -> Vec<u8> {
     let strategy = Chosen::new(scene, settings.strategy, &settings.structure).unwrap();
-    let pass = LightPass::new(scene, &strategy, settings, None, |Off| {}, |_| {});
+    let pass = LightPass::new(scene, &strategy, settings, None, |Off| {}, |_| {}).unwrap();
     let tracer = Tracer::new(scene, &strategy, settings.transport).with_light(pass.as_ref());
     let pixels = scene.camera.pixels;
     let options = LogOptions {
@@ -83,9 +83,10 @@ fn a_log_cut_down_to_a_region_holds_all_that_its_pixels_tell() {
             let region = Region::pixel(pixel);
             let mut sieve = PathSieve::new(&settings, width, Some(region), Vec::new());
             for record in &whole {
-                sieve.record(record);
+                assert!(sieve.record(record).is_continue());
             }
-            let kept = sieve.finish();
+            assert!(sieve.finish().is_continue());
+            let kept = sieve.sink;
             for record in records(&scene, &settings, pixel) {
                 assert!(
                     kept.contains(&record),

@@ -135,7 +135,7 @@ pub(crate) fn log_with_building(scene: &Scene, settings: &Settings, pixel: [u32;
     let names = LogNames::new(scene);
     let mut sink = LineSink::new(&names);
     for record in records(scene, settings, pixel) {
-        sink.record(&record);
+        assert!(sink.record(&record).is_continue());
     }
     bytes.extend(sink.lines);
     bytes
@@ -261,7 +261,7 @@ fn a_second_pixel_after_a_building_begins_again_at_0() {
     let mut recording = Recording::new(Vec::new());
     raystep::Strategy::note_building(&strategy, &mut recording);
     for _ in 0..2 {
-        raystep::trace_pixel(&tracer, pixel, settings.through, &mut recording);
+        raystep::trace_pixel(&tracer, pixel, settings.through, &mut recording).unwrap();
     }
     let all = recording.into_sink();
     let starts = all

@@ -45,9 +45,9 @@ fn sees(scene: &Scene, transport: Transport) -> bool {
     settings.light.samples = 4000;
     let strategy = Exhaustive::new(scene);
     check_light(scene, &strategy, &settings).unwrap();
-    let pass = LightPass::new(scene, &strategy, &settings, None, |_: Off| {}, |_| {});
+    let pass = LightPass::new(scene, &strategy, &settings, None, |_: Off| {}, |_| {}).unwrap();
     let tracer = Tracer::new(scene, &strategy, transport).with_light(pass.as_ref());
-    let (picture, _) = render::<_, Off>(&tracer, Through::Centres, |_| {});
+    let (picture, _) = render::<_, Off>(&tracer, Through::Centres, |_| {}).unwrap();
     picture
         .colours
         .iter()
@@ -88,9 +88,9 @@ fn only_backward_sees_no_shadow() {
         settings.light.nearest = 8;
         settings.light.aperture = Some(0.15);
         let strategy = Exhaustive::new(&below);
-        let pass = LightPass::new(&below, &strategy, &settings, None, |_: Off| {}, |_| {});
+        let pass = LightPass::new(&below, &strategy, &settings, None, |_: Off| {}, |_| {}).unwrap();
         let tracer = Tracer::new(&below, &strategy, transport).with_light(pass.as_ref());
-        let (picture, _) = render::<_, Off>(&tracer, Through::Centres, |_| {});
+        let (picture, _) = render::<_, Off>(&tracer, Through::Centres, |_| {}).unwrap();
         picture.colours[4].element_sum()
     };
     assert!(0.0 < direct_only(Transport::Backward));

@@ -107,7 +107,7 @@ fn gathered(scene: &Scene, light: &LightPass, pixel: [u32; 2]) -> Gathered {
     let strategy = Exhaustive::new(scene);
     let tracer = Tracer::new(scene, &strategy, Transport::HybridStored).with_light(Some(light));
     let mut gathers = Gathers::default();
-    trace_pixel(&tracer, pixel, Through::Centres, &mut gathers);
+    trace_pixel(&tracer, pixel, Through::Centres, &mut gathers).unwrap();
     gathers.0
 }
 

@@ -1,6 +1,8 @@
 //! Chance that can be repeated: the same seed gives the same bytes, on any number of threads, whoever listens, whatever
 //! the strategy.
 
+use std::ops::ControlFlow;
+
 use glam::DVec3;
 use raystep::{
     Chosen, Counts, Exhaustive, Kinds, LightOptions, LightPass, LogOptions, LoggedPaths, Off,
@@ -54,9 +56,14 @@ fn picture<S: Strategy, R: Recorder + Default + Send>(
     strategy: &S,
     settings: &Settings,
 ) -> Bits {
-    let light = LightPass::new::<_, R>(scene, strategy, settings, None, |_| {}, |_| {});
+    let light = LightPass::new::<_, R>(scene, strategy, settings, None, |_| {}, |_| {}).unwrap();
     let tracer = Tracer::new(scene, strategy, settings.transport).with_light(light.as_ref());
-    bits(render::<_, R>(&tracer, settings.through, |_| {}).0.colours)
+    bits(
+        render::<_, R>(&tracer, settings.through, |_| {})
+            .unwrap()
+            .0
+            .colours,
+    )
 }
 
 fn off(scene: &Scene, settings: &Settings) -> Bits {
@@ -67,7 +74,8 @@ fn off(scene: &Scene, settings: &Settings) -> Bits {
 fn log(scene: &Scene, settings: &Settings) -> Vec<u8> {
     let strategy = Exhaustive::new(scene);
     let region: Region = "4,3-7,6".parse().unwrap();
-    let light = LightPass::new::<_, Off>(scene, &strategy, settings, Some(region), |_| {}, |_| {});
+    let light =
+        LightPass::new::<_, Off>(scene, &strategy, settings, Some(region), |_| {}, |_| {}).unwrap();
     let tracer = Tracer::new(scene, &strategy, settings.transport).with_light(light.as_ref());
     let options = LogOptions {
         region,
@@ -128,7 +136,9 @@ fn another_seed_gives_another_picture_and_another_log() {
 struct Forgets;
 
 impl Sink for Forgets {
-    fn record(&mut self, _: &Record) {}
+    fn record(&mut self, _: &Record) -> ControlFlow<()> {
+        ControlFlow::Continue(())
+    }
 }
 
 #[test]
@@ -172,14 +182,17 @@ fn a_pixel_alone_is_the_pixel_of_the_picture() {
     let scene = scene(true);
     let strategy = Exhaustive::new(&scene);
     for settings in all(7) {
-        let light = LightPass::new::<_, Off>(&scene, &strategy, &settings, None, |_| {}, |_| {});
+        let light =
+            LightPass::new::<_, Off>(&scene, &strategy, &settings, None, |_| {}, |_| {}).unwrap();
         let tracer = Tracer::new(&scene, &strategy, settings.transport).with_light(light.as_ref());
         let [width, height] = scene.camera.pixels;
         let pixels = (0..height).flat_map(|y| (0..width).map(move |x| [x, y]));
         // the other way round, so that none depends on those before it
         let mut alone: Vec<DVec3> = pixels
             .rev()
-            .map(|pixel| trace_pixel(&tracer, pixel, settings.through, &mut Counts::default()))
+            .map(|pixel| {
+                trace_pixel(&tracer, pixel, settings.through, &mut Counts::default()).unwrap()
+            })
             .collect();
         alone.reverse();
         let name = format!("{:?}", settings.transport);
@@ -192,11 +205,12 @@ fn a_path_of_light_can_be_followed_again() {
     let scene = scene(true);
     let strategy = Exhaustive::new(&scene);
     for settings in all(8) {
-        let light = LightPass::new::<_, Off>(&scene, &strategy, &settings, None, |_| {}, |_| {});
+        let light =
+            LightPass::new::<_, Off>(&scene, &strategy, &settings, None, |_| {}, |_| {}).unwrap();
         let tracer = Tracer::new(&scene, &strategy, settings.transport).with_light(light.as_ref());
         let follow = |path| {
             let mut recording = Recording::new(Vec::new());
-            tracer.trace_path(path, &mut recording);
+            tracer.trace_path(path, &mut recording).unwrap();
             recording.into_sink()
         };
         let [first, other, again] = [follow(150), follow(7), follow(150)];

@@ -159,7 +159,7 @@ fn every_weight_is_the_chance_of_its_line_among_all_lines_that_make_the_same_pat
     let mut lit = Vec::new();
     for path in 0..pixels * SAMPLES {
         let mut recording = Recording::new(Vec::new());
-        tracer.trace_path(path, &mut recording);
+        tracer.trace_path(path, &mut recording).unwrap();
         let records = recording.into_sink();
         let Event::Path(start) = records[0].event else {
             panic!("{:?} before the path", records[0]);
@@ -189,7 +189,7 @@ fn every_weight_is_the_chance_of_its_line_among_all_lines_that_make_the_same_pat
     for place in 0..pixels {
         let pixel = [place % PIXELS[0], place / PIXELS[0]];
         let mut recording = Recording::new(Vec::new());
-        let colour = trace_pixel(&tracer, pixel, Through::Centres, &mut recording);
+        let colour = trace_pixel(&tracer, pixel, Through::Centres, &mut recording).unwrap();
         let records = recording.into_sink();
         let is_start = |record: &Record| matches!(record.event, Event::Pixel(_));
         let starts: Vec<usize> = (0..records.len())
@@ -237,7 +237,7 @@ fn a_line_is_drawn_wherever_two_surfaces_that_scatter_face_each_other_and_nowher
     let mut drawn = 0;
     for path in 0..PIXELS[0] * PIXELS[1] * SAMPLES {
         let mut recording = Recording::new(Vec::new());
-        tracer.trace_path(path, &mut recording);
+        tracer.trace_path(path, &mut recording).unwrap();
         let records = recording.into_sink();
         let Event::Path(start) = records[0].event else {
             panic!("{:?} before the path", records[0]);

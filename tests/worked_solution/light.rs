@@ -65,13 +65,13 @@ pub(crate) fn settings(transport: Transport) -> Settings {
 pub(crate) fn records(scene: &Scene, settings: &Settings, pixel: [u32; 2]) -> Vec<Record> {
     let strategy = Exhaustive::new(scene);
     let region = Region::pixel(pixel);
-    let pass = LightPass::new(scene, &strategy, settings, Some(region), |Off| {}, |_| {});
+    let pass = LightPass::new(scene, &strategy, settings, Some(region), |Off| {}, |_| {}).unwrap();
     let tracer = Tracer::new(scene, &strategy, settings.transport).with_light(pass.as_ref());
     let mut recording = Recording::new(Vec::new());
-    for path in paths_behind(&tracer, region, settings.through) {
-        tracer.trace_path(path, &mut recording);
+    for path in paths_behind(&tracer, region, settings.through).unwrap() {
+        tracer.trace_path(path, &mut recording).unwrap();
     }
-    trace_pixel(&tracer, pixel, Through::Centres, &mut recording);
+    trace_pixel(&tracer, pixel, Through::Centres, &mut recording).unwrap();
     recording.into_sink()
 }
 

@@ -167,7 +167,7 @@ fn the_working_is_told_in_the_numbers_of_the_frame() {
     let strategy = ZAligned::new(&scene);
     let tracer = Tracer::new(&scene, &strategy, Transport::HybridLight);
     let mut recording = Recording::new(Vec::new());
-    trace_pixel(&tracer, [0, 0], Through::Centres, &mut recording);
+    trace_pixel(&tracer, [0, 0], Through::Centres, &mut recording).unwrap();
     let records = recording.into_sink();
     let text = worked_solution(
         &scene,

@@ -123,10 +123,12 @@ impl<R: BufRead> LogReader<R> {
         let mut record = blank(Kind::Pixel);
         while self.read_into(&mut record)? {
             if record.pixel.is_none_or(|of| of == pixel) {
-                sieve.record(&record);
+                // a list takes all
+                let _ = sieve.record(&record);
             }
         }
-        let mut records = sieve.finish();
+        let _ = sieve.finish();
+        let mut records = sieve.sink;
         keep_paths_behind(pixel, &self.settings, &mut records);
         Ok((self.scene, self.settings, records))
     }

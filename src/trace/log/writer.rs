@@ -1,6 +1,7 @@
 //! The log as JSON Lines: a header, one line per object, then one line per event.
 
 use std::io::{self, Write};
+use std::ops::ControlFlow;
 
 use serde::Serialize;
 use smol_str::SmolStr;
@@ -163,9 +164,10 @@ impl<'a> LineSink<'a> {
 
 impl Sink for LineSink<'_> {
     #[inline]
-    fn record(&mut self, record: &Record) {
+    fn record(&mut self, record: &Record) -> ControlFlow<()> {
         self.writer.line(record, &mut self.lines);
         self.count += 1;
+        ControlFlow::Continue(())
     }
 }
 

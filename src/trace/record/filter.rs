@@ -1,6 +1,7 @@
 //! What of a trace is kept: by kind, by region, up to a budget.
 
 use std::fmt;
+use std::ops::ControlFlow;
 use std::str::FromStr;
 
 use crate::trace::{Kind, Record, Sink};
@@ -118,36 +119,36 @@ pub struct Filter<S> {
 
 impl<S: Sink> Sink for Filter<S> {
     #[inline]
-    fn record(&mut self, record: &Record) {
+    fn record(&mut self, record: &Record) -> ControlFlow<()> {
         let inside = self
             .region
             .zip(record.pixel)
             .is_none_or(|(region, pixel)| region.contains(pixel));
         if inside && self.kinds.contains(record.event.kind()) {
-            self.sink.record(record);
+            return self.sink.record(record);
         }
+        ControlFlow::Continue(())
     }
 }
 
-/// Lets through a number of records and counts the rest.
+/// Lets through a number of records; one more stops it.
 #[derive(Clone, Debug)]
 pub struct Budget<S> {
     /// How many more may pass.
     pub left: u64,
-    /// How many did not.
-    pub dropped: u64,
     /// Where to.
     pub sink: S,
 }
 
 impl<S: Sink> Sink for Budget<S> {
     #[inline]
-    fn record(&mut self, record: &Record) {
-        if self.left == 0 {
-            self.dropped += 1;
-        } else {
-            self.left -= 1;
-            self.sink.record(record);
+    fn record(&mut self, record: &Record) -> ControlFlow<()> {
+        match self.left.checked_sub(1) {
+            Some(left) => {
+                self.left = left;
+                self.sink.record(record)
+            }
+            None => ControlFlow::Break(()),
         }
     }
 }
@@ -181,7 +182,7 @@ mod tests {
             (Kind::Shade, [3, 3]),
             (Kind::Ray, [1, 0]),
         ] {
-            filter.record(&record(kind, pixel));
+            assert!(filter.record(&record(kind, pixel)).is_continue());
         }
         let kept: Vec<_> = filter
             .sink
@@ -195,16 +196,14 @@ mod tests {
     }
 
     #[test]
-    fn a_budget_counts_what_it_drops() {
+    fn a_budget_lets_through_its_number_and_stops_at_one_more() {
         let mut budget = Budget {
             left: 2,
-            dropped: 0,
             sink: Vec::new(),
         };
-        for x in 0..5 {
-            budget.record(&record(Kind::Ray, [x, 0]));
-        }
-        assert_eq!((budget.sink.len(), budget.dropped), (2, 3));
+        let mut passes = |x| budget.record(&record(Kind::Ray, [x, 0])).is_continue();
+        assert_eq!([passes(0), passes(1), passes(2)], [true, true, false]);
+        assert_eq!(budget.sink.len(), 2);
     }
 
     #[test]

@@ -5,6 +5,7 @@
 //! when the pixel itself has been read.
 
 use std::collections::BTreeSet;
+use std::ops::ControlFlow;
 
 use crate::trace::{Event, Kind, Record, Region, Settings, Sink, Transport};
 
@@ -52,26 +53,27 @@ impl<S: Sink> PathSieve<S> {
         }
     }
 
-    /// The sink, when all is read.
-    pub fn finish(mut self) -> S {
-        self.let_go();
-        self.sink
-    }
-
-    /// The path that was held back has come to its end.
-    fn let_go(&mut self) {
+    /// All is read: the path that is held back has come to its end.
+    pub fn finish(&mut self) -> ControlFlow<()> {
         if self.held.is_empty() {
-            return;
+            return ControlFlow::Continue(());
         }
-        if self.region.is_none_or(|region| self.can_lead_to(region)) {
-            for record in &self.held {
-                self.sink.record(record);
+        let mut held = std::mem::take(&mut self.held);
+        if self
+            .region
+            .is_none_or(|region| self.can_lead_to(region, &held))
+        {
+            for record in &held {
+                self.sink.record(record)?;
             }
         }
-        self.held.clear();
+        // its memory serves the next path
+        held.clear();
+        self.held = held;
+        ControlFlow::Continue(())
     }
 
-    fn can_lead_to(&self, region: Region) -> bool {
+    fn can_lead_to(&self, region: Region, held: &[Record]) -> bool {
         let is_own = |path: u32| match self.tells {
             Tells::Arrivals => false,
             Tells::Nothing => true,
@@ -80,26 +82,26 @@ impl<S: Sink> PathSieve<S> {
                 region.contains([pixel % width, pixel / width])
             }
         };
-        self.held
-            .first()
+        held.first()
             .and_then(|first| first.path)
             .is_some_and(is_own)
-            || self.held.iter().any(|record| comes_to(record, region))
+            || held.iter().any(|record| comes_to(record, region))
     }
 }
 
 impl<S: Sink> Sink for PathSieve<S> {
     #[inline]
-    fn record(&mut self, record: &Record) {
+    fn record(&mut self, record: &Record) -> ControlFlow<()> {
         let Some(path) = record.path.filter(|_| self.region.is_some()) else {
-            self.let_go();
+            self.finish()?;
             return self.sink.record(record);
         };
         let held = self.held.first().and_then(|first| first.path);
         if held.is_some_and(|held| held != path) {
-            self.let_go();
+            self.finish()?;
         }
         self.held.push(*record);
+        ControlFlow::Continue(())
     }
 }
 
@@ -215,9 +217,10 @@ mod tests {
         let region = region.map(|text| text.parse().unwrap());
         let mut sieve = PathSieve::new(&settings(transport), 4, region, Vec::new());
         for record in records {
-            sieve.record(record);
+            assert!(sieve.record(record).is_continue());
         }
-        let mut paths: Vec<_> = sieve.finish().iter().map(|record| record.path).collect();
+        assert!(sieve.finish().is_continue());
+        let mut paths: Vec<_> = sieve.sink.iter().map(|record| record.path).collect();
         paths.dedup();
         paths
     }

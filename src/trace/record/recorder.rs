@@ -3,7 +3,7 @@
 //! The algorithms mention recording in one line after a step: `recorder.note(|| event)`. With [`Off`]
 //! the compiler removes the line and all that only it needs; there is no flag to test at run time.
 
-use std::ops::AddAssign;
+use std::ops::{AddAssign, ControlFlow};
 
 use crate::trace::Event;
 
@@ -14,6 +14,21 @@ pub trait Recorder {
 
     /// A step was taken; the event is made only if somebody wants it.
     fn note(&mut self, event: impl FnOnce() -> Event);
+
+    /// Has the recorder enough? Then tracing stops, and gives no result.
+    #[inline]
+    fn has_enough(&self) -> bool {
+        false
+    }
+
+    /// A ray is about to be traced; `Break` if the recorder has enough. Called once for each ray.
+    #[inline]
+    fn next_ray(&mut self) -> ControlFlow<()> {
+        if self.has_enough() {
+            return ControlFlow::Break(());
+        }
+        ControlFlow::Continue(())
+    }
 }
 
 /// Nobody listens.
@@ -39,9 +54,19 @@ impl<R: Recorder> Recorder for &mut R {
     fn note(&mut self, event: impl FnOnce() -> Event) {
         (**self).note(event);
     }
+
+    #[inline]
+    fn has_enough(&self) -> bool {
+        (**self).has_enough()
+    }
+
+    #[inline]
+    fn next_ray(&mut self) -> ControlFlow<()> {
+        (**self).next_ray()
+    }
 }
 
-/// Two recorders are one: both hear every event.
+/// Two recorders are one: both hear every event, and tracing stops when one of them has enough.
 impl<A: Recorder, B: Recorder> Recorder for (A, B) {
     const ENABLED: bool = A::ENABLED || B::ENABLED;
 
@@ -52,6 +77,17 @@ impl<A: Recorder, B: Recorder> Recorder for (A, B) {
             self.0.note(|| event);
             self.1.note(|| event);
         }
+    }
+
+    #[inline]
+    fn has_enough(&self) -> bool {
+        self.0.has_enough() || self.1.has_enough()
+    }
+
+    #[inline]
+    fn next_ray(&mut self) -> ControlFlow<()> {
+        self.0.next_ray()?;
+        self.1.next_ray()
     }
 }
 
@@ -74,21 +110,23 @@ pub struct Record {
 
 /// Takes records: a list, a file, a filter in front of one of them.
 pub trait Sink {
-    /// One more record, in the order in which it happened.
-    fn record(&mut self, record: &Record);
+    /// One more record, in the order in which it happened. `Break` if no further one is wanted: none is handed over
+    /// after that.
+    fn record(&mut self, record: &Record) -> ControlFlow<()>;
 }
 
 impl Sink for Vec<Record> {
     #[inline]
-    fn record(&mut self, record: &Record) {
+    fn record(&mut self, record: &Record) -> ControlFlow<()> {
         self.push(*record);
+        ControlFlow::Continue(())
     }
 }
 
 impl<S: Sink> Sink for &mut S {
     #[inline]
-    fn record(&mut self, record: &Record) {
-        (**self).record(record);
+    fn record(&mut self, record: &Record) -> ControlFlow<()> {
+        (**self).record(record)
     }
 }
 
@@ -213,11 +251,13 @@ impl Numbering {
     }
 }
 
-/// Numbers every event and hands it to a sink.
+/// Numbers every event and hands it to a sink, until that wants no more.
 #[derive(Clone, Debug, Default)]
 pub struct Recording<S> {
     sink: S,
     numbering: Numbering,
+    /// The sink wants no more.
+    stopped: bool,
 }
 
 impl<S: Sink> Recording<S> {
@@ -226,6 +266,7 @@ impl<S: Sink> Recording<S> {
         Self {
             sink,
             numbering: Numbering::default(),
+            stopped: false,
         }
     }
 
@@ -250,8 +291,16 @@ impl<S: Sink> Recorder for Recording<S> {
 
     #[inline]
     fn note(&mut self, event: impl FnOnce() -> Event) {
+        if self.stopped {
+            return;
+        }
         let record = self.numbering.number(event());
-        self.sink.record(&record);
+        self.stopped = self.sink.record(&record).is_break();
+    }
+
+    #[inline]
+    fn has_enough(&self) -> bool {
+        self.stopped
     }
 }
 

@@ -1,0 +1,59 @@
+//! How many rays one pixel may take.
+//!
+//! A ray that meets a surface which reflects and transmits is followed by two, each of which may be followed by two
+//! again: between two panes of glass 100 deep that would be 2¹⁰⁰ rays. The limit ends such a tree.
+
+use std::ops::ControlFlow;
+
+use crate::trace::{Event, Recorder};
+use crate::tracer::Stopped;
+
+/// How many rays a pixel may take unless another limit is asked for: about a second's work. A pixel of a lesson's
+/// scene takes at most some hundred.
+pub const MAX_RAYS: u64 = 1_000_000;
+
+/// Counts rays, and has enough beyond a limit. It wants no events.
+pub(super) struct RayLimit {
+    most: u64,
+    rays: u64,
+}
+
+impl Recorder for RayLimit {
+    const ENABLED: bool = false;
+
+    #[inline(always)]
+    fn note(&mut self, _: impl FnOnce() -> Event) {}
+
+    #[inline]
+    fn has_enough(&self) -> bool {
+        self.most < self.rays
+    }
+
+    #[inline]
+    fn next_ray(&mut self) -> ControlFlow<()> {
+        self.rays += 1;
+        if self.has_enough() {
+            return ControlFlow::Break(());
+        }
+        ControlFlow::Continue(())
+    }
+}
+
+/// Traces for a pixel with a limit of its rays, and says why if tracing stops.
+pub(super) fn within<'r, R: Recorder, T>(
+    max_rays: u64,
+    pixel: [u32; 2],
+    recorder: &'r mut R,
+    trace: impl FnOnce(&mut (RayLimit, &'r mut R)) -> ControlFlow<(), T>,
+) -> Result<T, Stopped> {
+    let limit = RayLimit {
+        most: max_rays,
+        rays: 0,
+    };
+    let mut both = (limit, recorder);
+    let traced = trace(&mut both);
+    if both.0.has_enough() {
+        return Err(Stopped::Rays { pixel, max_rays });
+    }
+    Stopped::unless_whole(traced, both.1)
+}
