@@ -7,8 +7,8 @@ mod strategies;
 use std::path::Path;
 
 use raystep::{
-    Chosen, Recording, Settings, Strategy, Through, Tracer, Transport, WorkedOptions, load,
-    trace_pixel, worked_solution,
+    Chosen, Recording, Scene, Settings, Strategy, StrategyName, Through, Tracer, Transport,
+    WorkedOptions, load, load_bytes, trace_pixel, worked_solution,
 };
 
 /// Half a unit in the sixth digit, of three printed numbers that enter.
@@ -230,9 +230,12 @@ pub(crate) fn check_line(line: &str) -> [usize; 2] {
 
 fn solution(scene: &str, pixel: [u32; 2], settings: &Settings) -> String {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(scene);
-    let scene = load(&path).unwrap().build().unwrap();
-    let strategy = Chosen::new(&scene, settings.strategy, &settings.structure).unwrap();
-    let tracer = Tracer::new(&scene, &strategy, Transport::HybridLight);
+    solution_of(&load(&path).unwrap().build().unwrap(), pixel, settings)
+}
+
+fn solution_of(scene: &Scene, pixel: [u32; 2], settings: &Settings) -> String {
+    let strategy = Chosen::new(scene, settings.strategy, &settings.structure).unwrap();
+    let tracer = Tracer::new(scene, &strategy, Transport::HybridLight);
     let mut recording = Recording::new(Vec::new());
     if settings.building {
         strategy.note_building(&mut recording);
@@ -242,7 +245,7 @@ fn solution(scene: &str, pixel: [u32; 2], settings: &Settings) -> String {
         all: true,
         ..WorkedOptions::default()
     };
-    worked_solution(&scene, settings, &recording.into_sink(), &options)
+    worked_solution(scene, settings, &recording.into_sink(), &options)
 }
 
 /// At least so many equations in the solution, each of which comes out.
@@ -324,6 +327,42 @@ fn the_two_balls_can_be_computed_again() {
 fn glass_and_total_internal_reflection_can_be_computed_again() {
     for pixel in [[112, 56], [125, 55], [140, 62]] {
         check("lessons/04-sphere/scene.json", pixel, [60, 30]);
+    }
+}
+
+#[test]
+fn a_cone_along_its_generator_can_be_computed_again() {
+    // k = −¾; (−3, 4, 0)/5 runs along a generator: from (0, 0, 1) t = 8/3.6, from (3, 0, 7), in the plane that
+    // touches the cone there, no t
+    for (cop, target, line) in [
+        (
+            [0, 0, 1],
+            [-3, 4, 1],
+            "a = 0: b·t + c = 0, t = -c/b = 8/3.6 = 2.22222",
+        ),
+        (
+            [3, 0, 7],
+            [0, 4, 7],
+            "a = 0 and b = 0: 49 = 0 has no solution for any t",
+        ),
+    ] {
+        let text = format!(
+            r#"{{"camera": {{"look_at": {{"cop": {cop:?}, "target": {target:?}, "up": [0, 0, 1], "fov_degrees": 40}},
+            "pixels": [1, 1]}}, "materials": {{"m": {{"colour": [1, 1, 1]}}}}, "objects": [{{"name": "A",
+            "material": "m", "shape": {{"cone": {{"base": [0, 0, 0], "base_radius": 3, "apex": [0, 4, 0],
+            "apex_radius": 0}}}}}}]}}"#
+        );
+        let scene = load_bytes("cone.json", text.as_bytes(), Path::new("")).unwrap();
+        let scene = scene.build().unwrap();
+        for strategy in [StrategyName::Exhaustive, StrategyName::ZAligned] {
+            let settings = Settings {
+                strategy,
+                ..Settings::default()
+            };
+            let text = solution_of(&scene, [0, 0], &settings);
+            check_text(&text, [5, 1]);
+            assert!(text.contains(line), "{text}");
+        }
     }
 }
 

@@ -13,6 +13,7 @@ mod layers;
 mod polygon_exact;
 mod polygon_tilings;
 mod published_counts;
+mod quadrics_exact;
 mod recording;
 mod refraction_table;
 mod scene_format;

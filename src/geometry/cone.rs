@@ -29,6 +29,10 @@ pub struct Cone {
     apex_radius: f64,
 }
 
+/// Within this share of the sizes that entered them, a and b are rounding: what [`Cone::is_along_a_generator`]
+/// and [`Cone::linear`] count, rounded up to a power of 2.
+const ZERO: f64 = 32.0 * f64::EPSILON;
+
 impl Cone {
     /// The cone between two circles; what is constant for all rays is computed here.
     ///
@@ -101,8 +105,11 @@ impl Cone {
     ///
     /// b² − 4ac = 4(|R·Δ⊥ − k(Δ·w)m⊥|² − |Δ⊥ × m⊥|²), by Lagrange's identity, without cancellation.
     ///
-    /// A root whose height is not between 0 and `height` is beyond the ends. a = 0 (a ray along a
-    /// generator) leaves one linear root; a ray along the axis of a cylinder has none.
+    /// A root whose height is not between 0 and `height` is beyond the ends.
+    ///
+    /// A ray along a generator has a = 0, which leaves b·t + c = 0 and one root. In the plane that touches the
+    /// cone along that generator b = 0 too, as for a ray along the axis of a cylinder: no root. Rounding hides
+    /// both zeros, so a and b count as 0, and are returned as 0, within 32ε of the sizes that entered them.
     ///
     /// ```
     /// use glam::DVec3;
@@ -130,17 +137,61 @@ impl Cone {
         let outer = (radius * direction - narrowing * across).length_squared();
         let passing = direction.cross(across).length_squared();
 
-        let equation = Quadratic {
-            a,
-            b,
-            c,
-            discriminant: 4.0 * (outer - passing),
-            scale: 4.0 * outer,
+        let equation = if self.is_along_a_generator(ray, a) {
+            self.linear(ray, b, c)
+        } else {
+            Quadratic {
+                a,
+                b,
+                c,
+                discriminant: 4.0 * (outer - passing),
+                scale: 4.0 * outer,
+            }
         };
         equation.test(range, sides, |t| {
             let y = height + t * climb;
             y < 0.0 || self.height < y
         })
+    }
+
+    /// Is a = |Δ⊥|² − k²(Δ·w)² nothing but rounding?
+    ///
+    /// With roundings of ½ε each: the unit axis w is off by 2ε and Δ by 1½ε, so Δ·w by 5ε|Δ| and Δ⊥ by 10ε|Δ|.
+    /// k(Δ·w) is off by |k| times the former, and by 2ε of itself. Their squares are off by twice these times what
+    /// is squared: 20ε|Δ||Δ⊥| + 14ε|Δ||k·k(Δ·w)| at most.
+    #[inline]
+    fn is_along_a_generator(&self, ray: &Ray, a: f64) -> bool {
+        // |Δ⊥| and |Δ·w| are no longer than Δ: this settles it for nearly every ray
+        let slope2 = self.slope * self.slope;
+        let length2 = ray.direction.length_squared();
+        a.abs() <= ZERO * (1.0 + slope2) * length2 && {
+            let climb = ray.direction.dot(self.axis);
+            let across = (ray.direction - climb * self.axis).length();
+            a.abs() <= ZERO * length2.sqrt() * (across + slope2 * climb.abs())
+        }
+    }
+
+    /// The equation without a: b·t + c = 0, with b = 0 where it is nothing but rounding.
+    ///
+    /// b/2 = Δ⊥·m⊥ − k(Δ·w)R. With the errors of [`Cone::is_along_a_generator`], and m⊥ off by 8ε|m|, R by
+    /// 6ε|k||m| + 2ε·r_base, the first term is off by 10ε|Δ||m⊥| + 8ε|Δ⊥||m|, and the second by
+    /// 7ε|k||Δ||R| + 6ε|k(Δ·w)|(|k||m| + r_base).
+    #[cold]
+    fn linear(&self, ray: &Ray, b: f64, c: f64) -> Quadratic {
+        let from_base = (ray.origin - self.base).length();
+        let length = ray.direction.length();
+        let slope = self.slope.abs();
+        let largest_radius = self.base_radius + slope * from_base;
+        let size = length * (from_base + slope * largest_radius);
+        let b = if b.abs() <= 2.0 * ZERO * size { 0.0 } else { b };
+        let discriminant = b * b;
+        Quadratic {
+            a: 0.0,
+            b,
+            c,
+            discriminant,
+            scale: discriminant,
+        }
     }
 
     /// The unit normal at a point of the surface, outwards: m⊥/|m⊥| − k·w, normalised.
@@ -218,6 +269,35 @@ mod tests {
             fate: Fate::Chosen,
         };
         assert_eq!(test.roots, Roots::Linear(expected));
+    }
+
+    #[test]
+    fn a_and_b_of_a_generator_are_0_though_their_terms_are_rounded() {
+        // 3-4-5: k = −¾, and (−0.6, 0.8, 0) runs along a generator; a = 0.36 − 0.36, of which neither is exact
+        let cone = Cone::new(DVec3::ZERO, 3.0, DVec3::new(0.0, 4.0, 0.0), 0.0).unwrap();
+        let along = DVec3::new(-3.0, 4.0, 0.0) / 5.0;
+        for (origin, b, c, t) in [
+            // b = 2[0 + 0.6·3], c = 1 − 9: from inside
+            ([0.0, 0.0, 1.0], 3.6, -8.0, Some(20.0 / 9.0)),
+            // b = 2[−3 + 1.8], c = 25 − 9: t = 16/2.4, where y = 16/3 is beyond the tip
+            ([5.0, 0.0, 0.0], -2.4, 16.0, None),
+            // in the plane that touches the cone along (3, 0, 0) + t(−3, 4, 0), beside it by 7: b = 2[−1.8 + 1.8]
+            ([3.0, 0.0, 7.0], 0.0, 49.0, None),
+        ] {
+            for scale in [1.0, 1e-40, 1e40] {
+                let ray = Ray::new(scale * DVec3::from(origin), along);
+                let [base, apex] = [cone.base(), cone.apex()].map(|p| scale * p);
+                let scaled = Cone::new(base, 3.0 * scale, apex, 0.0).unwrap();
+                let test = scaled.test(&ray, TRange::FORWARD, Sides::Both);
+                assert_eq!(test.a, 0.0);
+                assert!((test.b / scale - b).abs() <= 1e-14, "{test:?}");
+                assert!((test.c / scale / scale - c).abs() <= 1e-13, "{test:?}");
+                assert_eq!(test.roots == Roots::None, b == 0.0, "{test:?}");
+                let off = |t: f64| (test.roots.chosen().unwrap() / scale - t).abs();
+                assert!(t.is_none_or(|t| off(t) <= 1e-14), "{test:?}");
+                assert_eq!(test.roots.chosen().is_some(), t.is_some(), "{test:?}");
+            }
+        }
     }
 
     #[test]

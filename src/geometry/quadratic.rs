@@ -35,6 +35,9 @@ pub struct QuadraticTest {
 /// The coefficients of (iii), or of its like for another surface.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Quadratic {
+    /// a, exactly 0 where it is nothing but rounding. That is for the shape to say, which knows what entered: a
+    /// difference, as for a cone, can be 0; a sum of squares, as for sphere and ellipsoid, is 0 only for a direction
+    /// of zero.
     pub(super) a: f64,
     /// b, with its factor 2.
     pub(super) b: f64,
