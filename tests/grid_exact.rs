@@ -5,6 +5,7 @@
 //! lower faces. The oracle takes the grid's planes as they are, sorts the t of all planes as exact fractions and
 //! looks between each two of them: nothing of the walk is used, and nothing is rounded.
 
+mod cones;
 mod lists;
 mod same_hits;
 

@@ -11,22 +11,38 @@ use crate::geometry::Cone;
 /// closest to 0: from a point v of A − B with the furthest w of A − B against v. As soon as v·w > 0, v is such
 /// a normal; else the next v is the point closest to 0 of the triangle of v, w and the w before, which comes
 /// closer much faster than the segment from v to w alone.
+///
+/// w is rounded by the coordinates that it is the difference of. A v as short as that rounding is 0, and A and B
+/// touch; where A − B has 0 inside, v would shrink further until no square of it is left. Nor does v·w > 0 count
+/// within that rounding, for its sign is chance.
 pub(super) fn cone_touches(cone: &Cone, min: DVec3, max: DVec3) -> bool {
     /// A few steps find a plane; where the two nearly touch, a cell too many does no harm.
     const STEPS: usize = 64;
+    /// Of |v| and of the coordinates: the rim's point is rounded by its 2 sums and 2 products, by 4ε of the radius
+    /// for an axis and a direction that are not quite of unit length and at right angles, and by as much for a
+    /// v that is nearly along the axis; w by 1 difference, v·w by 3 products and 2 sums. Some 8ε, doubled.
+    const ROUNDING: f64 = 16.0 * f64::EPSILON;
+    let [base, apex] = cone.radii();
+    let of_cone = cone.base().abs().max(cone.apex().abs()).max_element() + base.max(apex);
+    let of_box = min.abs().max(max.abs()).max_element();
+    let rounding = ROUNDING * (of_cone + of_box);
     let furthest =
         |n: DVec3| furthest_of_cone(cone, n) - DVec3::select(n.cmplt(DVec3::ZERO), max, min);
     let mut v = 0.5 * (cone.base() + cone.apex()) - 0.5 * (min + max);
     let mut before = v;
     for _ in 0..STEPS {
+        let length = v.length();
+        if length <= rounding {
+            return true;
+        }
         let w = furthest(-v);
-        if 0.0 < v.dot(w) {
+        if rounding * length < v.dot(w) {
             return false;
         }
         let closer = closest_to_zero([v, w, before]);
         let is_closer = closer.length_squared() < v.length_squared();
         if !is_closer {
-            // 0 is reached, or nothing is gained
+            // nothing is gained
             return true;
         }
         (v, before) = (closer, w);
@@ -109,6 +125,22 @@ mod tests {
         // at y = 5 the radius is 2.5
         check([2.4, 5.0, -0.1], [9.0, 6.0, 0.1], true);
         check([-0.1, 9.9, -0.1], [0.1, 12.0, 0.1], true);
+    }
+
+    #[test]
+    fn a_box_with_a_part_of_the_cone_inside_touches_it_at_any_scale() {
+        // the corner (5, 4) of the box is √2 from the axis at (4, 3), of a cylinder of radius 2: v came down to 10⁻¹⁶⁰,
+        // of which no square is left, and v·w was above 0
+        for power in [-40, -20, -1, 0, 10, 20, 40] {
+            let scale = 10f64.powi(power);
+            let at = |x: f64, y: f64, z: f64| scale * DVec3::new(x, y, z);
+            let [base, apex] = [at(4.0, 3.0, -2.0), at(4.0, 3.0, -5.0)];
+            let cylinder = Cone::new(base, 2.0 * scale, apex, 2.0 * scale).unwrap();
+            let meets = |min, max| cone_touches(&cylinder, min, max);
+            assert!(meets(at(5.0, 4.0, -5.0), at(6.0, 5.0, -2.0)), "{scale:e}");
+            // and (5.5, 4.5) is √4.5 = 2.12 away
+            assert!(!meets(at(5.5, 4.5, -5.0), at(6.0, 5.0, -2.0)), "{scale:e}");
+        }
     }
 
     #[test]

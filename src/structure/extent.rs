@@ -19,7 +19,7 @@ pub(super) const ROUNDING: f64 = 1e-10;
 /// - sphere: n·c ± r
 /// - ellipsoid: n·c ± |(n_x·r_x, n_y·r_y, n_z·r_z)|
 /// - box: n·(center) ± Σ |nᵢ|·half sideᵢ
-/// - cone: over its two rims, n·rim ± r·√(1 − (n·axis)²)
+/// - cone: over its two rims, n·rim ± r·|n × axis|
 /// - polygon: over its vertices
 pub fn extent(shape: &Shape, n: DVec3) -> [f64; 2] {
     let around = |middle: f64, half: f64| [middle - half, middle + half];
@@ -33,8 +33,8 @@ pub fn extent(shape: &Shape, n: DVec3) -> [f64; 2] {
             [low.min(high).element_sum(), low.max(high).element_sum()]
         }
         Shape::Cone(cone) => {
-            let along = n.dot(cone.axis());
-            let slant = (1.0 - along * along).max(0.0).sqrt();
+            // of an axis nearly along n the root of 1 − (n·axis)² would be rounding, some 10⁻⁸
+            let slant = n.cross(cone.axis()).length();
             let [base, apex] = cone.radii();
             union(
                 around(n.dot(cone.base()), base * slant),
@@ -128,6 +128,22 @@ mod tests {
         // base in y = 0 with radius 5: n·rim = ±5·0.6; apex at y = 10 with radius 0: 8
         let cone = Cone::new(DVec3::ZERO, 5.0, DVec3::new(0.0, 10.0, 0.0), 0.0).unwrap();
         check(&Shape::Cone(cone), DIAGONAL, [-3.0, 8.0]);
+    }
+
+    #[test]
+    fn a_cylinder_whose_axis_is_nearly_along_x_reaches_below_its_base() {
+        // tilted by 2⁻²⁴, of which the square is lost beside 1: the rim of radius 10 reaches 10·2⁻²⁴ to either side
+        let tilt = 0.5_f64.powi(24);
+        let cylinder = Cone::new(DVec3::ZERO, 10.0, DVec3::new(1.0, tilt, 0.0), 10.0).unwrap();
+        let [low, high] = extent(&Shape::Cone(cylinder), DVec3::X);
+        assert!(
+            low <= -10.0 * tilt && 1.0 + 10.0 * tilt <= high,
+            "{low} {high}"
+        );
+        assert!(
+            -11.0 * tilt <= low && high <= 1.0 + 11.0 * tilt,
+            "{low} {high}"
+        );
     }
 
     #[test]
