@@ -5,7 +5,10 @@
 //! surfaces; and some objects stand twice, so that equal t occur. Each ray is the eye ray of a pixel: a failing
 //! case is made as small as it goes and printed as a scene file with its pixel, ready for `raystep pixel`.
 //!
-//! The z-aligned rays have their own comparison, in `z_aligned`: they compute in another frame.
+//! The rays that are hardest to agree about, along planes, at the end of a range and at every scale, are in
+//! `hard_rays`. The z-aligned rays have their own comparison, in `z_aligned`: they compute in another frame.
+
+mod hard_rays;
 
 use raystep::{
     BoundedObjects, Build, DepthFirst, Exhaustive, GridOptions, HeapOrdered, Hit, Lists, Off, Ray,
@@ -21,7 +24,7 @@ const SIDE: u32 = 63;
 const SCENES: u64 = 260;
 
 /// Every strategy with every kind of structure, and what it is called.
-const STRATEGIES: [&str; 14] = [
+const STRATEGIES: [&str; 15] = [
     "bounds: sphere",
     "bounds: ellipsoid",
     "bounds: box",
@@ -36,6 +39,7 @@ const STRATEGIES: [&str; 14] = [
     "grid: no mailboxes",
     "grid: boxes",
     "grid: one cell",
+    "grid: many cells",
 ];
 
 /// What a strategy says of a ray: the nearest hit, and whether there is any up to just before it.
@@ -60,32 +64,54 @@ fn answer(strategy: &impl Strategy, ray: &Ray) -> Answer {
     }
 }
 
+/// What is asked of each strategy in turn.
+trait Question {
+    type Answer;
+    fn put(&self, strategy: &impl Strategy) -> Self::Answer;
+}
+
 /// The answers of one strategy to many rays.
-fn answers(name: &str, scene: &Scene, rays: &[Ray]) -> Vec<Answer> {
-    fn all(strategy: &impl Strategy, rays: &[Ray]) -> Vec<Answer> {
-        rays.iter().map(|ray| answer(strategy, ray)).collect()
+struct Rays<'a>(&'a [Ray]);
+
+impl Question for Rays<'_> {
+    type Answer = Vec<Answer>;
+    fn put(&self, strategy: &impl Strategy) -> Self::Answer {
+        self.0.iter().map(|ray| answer(strategy, ray)).collect()
     }
+}
+
+fn answers(name: &str, scene: &Scene, rays: &[Ray]) -> Vec<Answer> {
+    asked(name, scene, &Rays(rays))
+}
+
+/// What the strategy of a name says to a question.
+fn asked<Q: Question>(name: &str, scene: &Scene, question: &Q) -> Q::Answer {
     let (axes, seven) = (&SlabSet::AXES, &SlabSet::SEVEN);
-    let grid = |options: GridOptions| all(&UniformGrid::new(scene, &options).unwrap(), rays);
+    let grid = |options: GridOptions| question.put(&UniformGrid::new(scene, &options).unwrap());
     let usual = GridOptions::default();
     match name {
-        "exhaustive" => all(&Exhaustive::new(scene), rays),
-        "bounds: sphere" => all(&BoundedObjects::new(scene, VolumeKind::Sphere, axes), rays),
-        "bounds: ellipsoid" => all(
-            &BoundedObjects::new(scene, VolumeKind::Ellipsoid, axes),
-            rays,
-        ),
-        "bounds: box" => all(&BoundedObjects::new(scene, VolumeKind::Box, axes), rays),
-        "bounds: seven slabs" => all(&BoundedObjects::new(scene, VolumeKind::Slabs, seven), rays),
-        "hierarchy: bottom-up" => all(&DepthFirst::new(scene, axes, Build::BottomUp), rays),
-        "hierarchy: insertion" => all(&DepthFirst::new(scene, axes, Build::Insertion), rays),
-        "hierarchy: surface-area" => all(&DepthFirst::new(scene, axes, Build::SurfaceArea), rays),
-        "hierarchy: seven slabs" => all(&DepthFirst::new(scene, seven, Build::SurfaceArea), rays),
+        "exhaustive" => question.put(&Exhaustive::new(scene)),
+        "bounds: sphere" => question.put(&BoundedObjects::new(scene, VolumeKind::Sphere, axes)),
+        "bounds: ellipsoid" => {
+            question.put(&BoundedObjects::new(scene, VolumeKind::Ellipsoid, axes))
+        }
+        "bounds: box" => question.put(&BoundedObjects::new(scene, VolumeKind::Box, axes)),
+        "bounds: seven slabs" => {
+            question.put(&BoundedObjects::new(scene, VolumeKind::Slabs, seven))
+        }
+        "hierarchy: bottom-up" => question.put(&DepthFirst::new(scene, axes, Build::BottomUp)),
+        "hierarchy: insertion" => question.put(&DepthFirst::new(scene, axes, Build::Insertion)),
+        "hierarchy: surface-area" => {
+            question.put(&DepthFirst::new(scene, axes, Build::SurfaceArea))
+        }
+        "hierarchy: seven slabs" => {
+            question.put(&DepthFirst::new(scene, seven, Build::SurfaceArea))
+        }
         "hierarchy: own slabs" => {
             let own = SlabSet::of(scene.slabs.as_ref().unwrap()).unwrap();
-            all(&DepthFirst::new(scene, &own, Build::BottomUp), rays)
+            question.put(&DepthFirst::new(scene, &own, Build::BottomUp))
         }
-        "heap: bottom-up" => all(&HeapOrdered::new(scene, axes, Build::BottomUp), rays),
+        "heap: bottom-up" => question.put(&HeapOrdered::new(scene, axes, Build::BottomUp)),
         "grid: mailboxes" => grid(usual),
         "grid: no mailboxes" => grid(GridOptions {
             mailboxes: false,
@@ -98,6 +124,10 @@ fn answers(name: &str, scene: &Scene, rays: &[Ray]) -> Vec<Answer> {
         }),
         "grid: one cell" => grid(GridOptions {
             resolution: Some([1, 1, 1]),
+            ..usual
+        }),
+        "grid: many cells" => grid(GridOptions {
+            density: 40.0,
             ..usual
         }),
         other => panic!("there is no strategy {other}"),

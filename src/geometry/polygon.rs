@@ -10,7 +10,8 @@ use glam::{DVec2, DVec3};
 
 use crate::geometry::corners::Corners;
 use crate::geometry::plane::FLAT;
-use crate::geometry::{Axis, AxisBox, Plane, PlaneTest, Ray, Sides, SlabInterval, SlabRay, TRange};
+use crate::geometry::point_in_polygon::ROUNDING;
+use crate::geometry::{Axis, Plane, PlaneTest, Ray, Sides, TRange};
 
 /// A polygon in space with everything that does not depend on a ray.
 #[derive(Clone, Debug, PartialEq)]
@@ -26,7 +27,7 @@ pub struct Polygon {
 /// with six digits.
 pub(crate) const PLANARITY: f64 = 1e-5;
 
-/// A ray that meets the plane more flatly than 1 in 64 has its t kept to the vertices' extent; one that does
+/// A ray that meets the plane more flatly than 1 in 64 has its t kept to the outline; one that does
 /// not can meet the plane up to 64 times the vertices' distance from it away from them.
 const FLATTEST: f64 = 1.0 / FLAT;
 
@@ -166,8 +167,9 @@ impl Polygon {
     ///
     /// t of (v), unless the ray is flat: |A·Δx + B·Δy + C·Δz| ≤ (|Δx| + |Δy| + |Δz|)/64. Then the division
     /// stretches the rounding of the numerator, and t may lie before or behind the whole polygon. Within that
-    /// error it is brought to the nearest t at which the ray is in the polygon's extent, so that whoever
-    /// looks for hits there finds this one. It depends on nothing but the ray and the polygon.
+    /// error it is brought to the nearest t at which the ray passes through the outline, as seen along the dropped
+    /// axis, so that a hit lies in the polygon and whoever looks for hits there finds this one. It depends on nothing
+    /// but the ray and the polygon.
     ///
     /// ```
     /// use glam::DVec3;
@@ -181,63 +183,63 @@ impl Polygon {
     /// ```
     #[inline]
     pub fn plane_test(&self, ray: &Ray, range: TRange, sides: Sides) -> PlaneTest {
-        let settled = |t| self.nearest_in_extent(ray, t);
+        let settled = |t| self.settled_in_outline(ray, t);
         self.plane.test_settled(ray, range, sides, settled)
     }
 
-    /// The t closest to this one at which the ray is in the polygon's extent, if the error of t reaches as
-    /// far; else t itself, for then the ray misses the polygon.
+    /// The t closest to this one at which the ray passes through the outline, if the error of t reaches as far;
+    /// else t itself, for then the ray misses the polygon.
     #[cold]
-    fn nearest_in_extent(&self, ray: &Ray, t: f64) -> f64 {
-        let [one, other] = self.stretch(ray);
-        let brought = t.max(one.min(other)).min(one.max(other));
+    fn settled_in_outline(&self, ray: &Ray, t: f64) -> f64 {
         let error = self.blur(ray, t) / ray.direction.abs().element_sum();
-        if (brought - t).abs() <= error {
-            brought
-        } else {
-            t
-        }
+        self.nearest_in_outline(ray, t)
+            .filter(|nearest| (nearest - t).abs() <= error)
+            .unwrap_or(t)
     }
 
-    /// Where the ray enters and leaves the extent: near = max(nearₓ, near_y, near_z),
-    /// far = min(farₓ, far_y, far_z).
+    /// The t closest to this one at which the ray, projected along [`Polygon::dropped`], is in the outline; `None` if
+    /// it passes by.
     ///
-    /// A slab that the ray is parallel to is left out. A ray through a corner of the extent has near = far,
-    /// and by rounding far may come out below near.
-    fn stretch(&self, ray: &Ray) -> [f64; 2] {
-        let AxisBox { min, max } = self.extent();
-        let (mut near, mut far) = (f64::NEG_INFINITY, f64::INFINITY);
-        for (axis, low, high) in [
-            (DVec3::X, min.x, max.x),
-            (DVec3::Y, min.y, max.y),
-            (DVec3::Z, min.z, max.z),
-        ] {
-            // each slab is −high ≤ D ≤ −low along its axis
-            let slab = SlabRay::new(ray, axis).interval(-high, -low);
-            if let SlabInterval::Between { near: n, far: f } = slab {
-                near = near.max(n);
-                far = far.min(f);
+    /// That is t itself if an odd number of edges lies ahead of it on the ray; else one at which the ray enters or
+    /// leaves. A vertex counts as passed within the rounding of its coordinates and of the ray's, and so does an
+    /// edge along the ray. A flat ray does not run along the dropped axis, so that its projection is a line.
+    fn nearest_in_outline(&self, ray: &Ray, t: f64) -> Option<f64> {
+        let origin = self.dropped().drop_from(ray.origin);
+        let direction = self.dropped().drop_from(ray.direction);
+        // t of the point of the line that is closest to p, and how far p lies beside the line, times |Δ′|
+        let along = |p: DVec2| (p - origin).dot(direction) / direction.length_squared();
+        let beside = |p: DVec2| direction.perp_dot(p - origin);
+        let is_passed = |p: DVec2| {
+            let reach = origin.abs().element_sum() + p.abs().element_sum();
+            beside(p).abs() <= ROUNDING * reach * direction.abs().element_sum()
+        };
+
+        let mut nearest: Option<f64> = None;
+        let mut consider = |candidate: f64| {
+            if nearest.is_none_or(|known| (candidate - t).abs() < (known - t).abs()) {
+                nearest = Some(candidate);
             }
+        };
+        let mut ahead = 0;
+        let mut from = *self.outline().last()?;
+        for &to in self.outline() {
+            let (from_side, to_side) = (beside(from), beside(to));
+            if (from_side < 0.0) != (to_side < 0.0) {
+                let share = from_side / (from_side - to_side);
+                let crossed = along(from + share * (to - from));
+                ahead += u32::from(t < crossed);
+                consider(crossed);
+            }
+            if is_passed(to) {
+                consider(along(to));
+                if is_passed(from) {
+                    let (a, b) = (along(from), along(to));
+                    consider(t.max(a.min(b)).min(a.max(b)));
+                }
+            }
+            from = to;
         }
-        [near, far]
-    }
-
-    /// The polygon's extent: the axis-aligned box of its vertices, wider on all sides by how far these are
-    /// off the plane.
-    ///
-    /// A flat ray that hits has its t in here ([`Polygon::plane_test`]). That of any other may lie outside by
-    /// its own error, 64 times the rounding of its numbers and 64 times the width that was added: 10⁻¹³ of
-    /// the coordinates for a triangle, and more for a polygon whose vertices are rounded.
-    pub fn extent(&self) -> AxisBox {
-        let (mut low, mut high) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
-        for vertex in self.vertices() {
-            low = low.min(vertex);
-            high = high.max(vertex);
-        }
-        AxisBox {
-            min: low - self.off_plane,
-            max: high + self.off_plane,
-        }
+        if ahead % 2 == 1 { Some(t) } else { nearest }
     }
 }
 
@@ -403,6 +405,46 @@ mod tests {
         assert_eq!(t, quotient);
         assert!((t - 36.0).abs() <= 1e-11, "{t}");
         assert!(!is_inside);
+    }
+
+    #[test]
+    fn t_of_a_ray_in_the_plane_is_brought_to_where_it_passes_through_the_outline() {
+        // a square of 6 with a notch from x = 2 to 4, open at the top, down to y = 2
+        let u = points(&[
+            [0.0, 0.0, 5.0],
+            [6.0, 0.0, 5.0],
+            [6.0, 6.0, 5.0],
+            [4.0, 6.0, 5.0],
+            [4.0, 2.0, 5.0],
+            [2.0, 2.0, 5.0],
+            [2.0, 6.0, 5.0],
+            [0.0, 6.0, 5.0],
+        ]);
+        let polygon = Polygon::new(u, None).unwrap();
+        // along x from x = −1: at y = 4 it is inside for t from 1 to 3 and from 5 to 7, also along the top edges;
+        // at y = 1 from 1 to 7; at y = 7 nowhere
+        for (y, t, nearest) in [
+            (4.0, -5.0, Some(1.0)),
+            (4.0, 2.0, Some(2.0)),
+            (4.0, 3.5, Some(3.0)),
+            (4.0, 4.5, Some(5.0)),
+            (4.0, 100.0, Some(7.0)),
+            (6.0, 3.5, Some(3.0)),
+            (6.0, 6.5, Some(6.5)),
+            (1.0, 4.0, Some(4.0)),
+            (7.0, 4.0, None),
+        ] {
+            let ray = Ray::new(DVec3::new(-1.0, y, 5.0), DVec3::X);
+            assert_eq!(
+                polygon.nearest_in_outline(&ray, t),
+                nearest,
+                "y = {y}, t = {t}"
+            );
+        }
+        // down the diagonal from (−2, 8): it passes the corner (0, 6) at t = 2, and leaves by (6, 0) at t = 8
+        let diagonal = Ray::new(DVec3::new(-2.0, 8.0, 5.0), DVec3::new(1.0, -1.0, 0.0));
+        assert_eq!(polygon.nearest_in_outline(&diagonal, 0.0), Some(2.0));
+        assert_eq!(polygon.nearest_in_outline(&diagonal, 9.0), Some(8.0));
     }
 
     #[test]

@@ -28,6 +28,10 @@ use crate::trace::Recorder;
 ///
 /// Every strategy finds the same object at the same t, bit for bit, as the exhaustive one; of two
 /// objects at equal t the one that comes first in the scene. So nothing is left out at equality.
+///
+/// Two cases are excepted, for t is rounded: a hit within 4 ulp of the end of the range may count or not, and of
+/// two hits within 10⁻¹² of t of each other either may be the nearest. [`ZAligned`] computes in another frame: it
+/// finds the same object, at a t within 10⁻⁹ of it.
 pub trait Strategy: Sync {
     /// Offers every hit that can matter to the search, until that has enough.
     fn search<R: Recorder>(&self, ray: &Ray, search: &mut impl Search, recorder: &mut R);

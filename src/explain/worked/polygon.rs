@@ -126,7 +126,7 @@ impl Solution<'_> {
         }
         if d.number(quotient) != d.number(root.t) {
             self.page.plain(format!(
-                "so flat a ray stretches the rounding: the nearest t within the polygon's extent is {}",
+                "so flat a ray stretches the rounding: the nearest t within the outline is {}",
                 d.number(root.t)
             ));
         }
