@@ -360,7 +360,7 @@ fn a_cone_along_its_generator_can_be_computed_again() {
                 ..Settings::default()
             };
             let text = solution_of(&scene, [0, 0], &settings);
-            check_text(&text, [5, 1]);
+            check_text(&text, [3, 1]);
             assert!(text.contains(line), "{text}");
         }
     }
