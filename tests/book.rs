@@ -283,6 +283,23 @@ fn every_broken_directive_is_told_at_once() {
     );
 }
 
+/// A directive without an end before another one on its line made the program panic.
+#[test]
+fn a_directive_without_an_end_before_another_one_is_told_and_the_other_one_followed() {
+    let first = "# One\n\nSee {{#raystep-value 01-ball/hit sphere_test.count and \
+                 {{#raystep-value 01-ball/hit sphere_test[0].t_in}} cells.\n";
+    let out = TestBook::new(first, "A").preprocess("0.5.4");
+    let told = String::from_utf8(out.stderr).unwrap();
+    assert_eq!(out.status.code(), Some(2), "{told}");
+    assert_eq!(
+        told,
+        "error: one.md, line 3: {{#raystep-value 01-ball/hit sphere_test.count and : it has no end\n  \
+         close it with }} on the same line\n\
+         one.md, line 3: {{#raystep-value 01-ball/hit sphere_test[0].t_in}}: in sphere_test[0] there is no \
+         \"t_in\"\n  did you mean t?\n"
+    );
+}
+
 #[test]
 fn names_that_look_like_markup_come_out_as_text() {
     let long = "n".repeat(300);

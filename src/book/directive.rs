@@ -3,7 +3,9 @@
 //! What stands in code, between backticks or in a block, is shown as it is, and so is a directive after a backslash.
 //! In a comment nothing is followed.
 
+use std::iter::Peekable;
 use std::ops::Range;
+use std::vec;
 
 use pulldown_cmark::{Event, Options, Parser, Tag, TagEnd};
 
@@ -50,15 +52,15 @@ pub(super) struct Directive {
     pub(super) alone: Option<String>,
 }
 
-/// All directives of a chapter, in order.
+/// All directives of a chapter, in order; no two of them overlap.
+///
+/// One pass from the first byte to the last: every byte is looked at a few times, however many directives there are.
 pub(super) fn directives(content: &str) -> Vec<Directive> {
     const NAME: &str = "#raystep";
-    let mut untouched = code(content);
-    untouched.extend(comments(content, &untouched));
-    let mut found = Vec::new();
-    let mut at = 0;
-    while let Some(name) = content[at..].find(NAME).map(|offset| at + offset) {
-        at = name + NAME.len();
+    let mut untouched = Covered::by(untouched(content));
+    let mut lines = Lines::of(content);
+    let mut found: Vec<Directive> = Vec::new();
+    for (name, _) in content.match_indices(NAME) {
         // as mdBook's own, {{ #raystep … }} may have spaces
         let Some(before) = content[..name]
             .trim_end_matches([' ', '\t'])
@@ -67,37 +69,121 @@ pub(super) fn directives(content: &str) -> Vec<Directive> {
             continue;
         };
         let start = before.len();
-        let is_untouched = untouched.iter().any(|range| range.contains(&start));
-        if is_untouched || before.ends_with('\\') {
+        if untouched.covers(start) || before.ends_with('\\') {
             continue;
         }
-        let line_end = content[start..]
-            .find('\n')
-            .map_or(content.len(), |end| start + end);
-        // a directive ends on its line
-        let end = content[name..line_end].find("}}").map(|end| name + end + 2);
-        let line = content[..start].matches('\n').count() + 1;
-        let range = start..end.unwrap_or(line_end);
+        let line = lines.around(start);
+        let (end, ends) = end_of(content, name, line.range.end);
+        let range = start..end;
         let inner = content[name + 1..range.end].trim_end_matches('}');
         let mut words = inner.split_whitespace().map(String::from);
+        // what follows another directive is not alone on its line
+        let is_first = found
+            .last()
+            .is_none_or(|other| other.range.end <= line.range.start);
         found.push(Directive {
-            line,
+            line: line.number,
             word: words.next().unwrap_or_default(),
             words: words.collect(),
-            ends: end.is_some(),
-            alone: alone(content, &range),
+            ends,
+            alone: is_first.then(|| alone(content, &range, &line)).flatten(),
             range,
         });
     }
     found
 }
 
+/// Where the directive with this name ends, and whether it does so by `}}`: if not, it goes up to the braces of the
+/// next one, or to the end of its line.
+fn end_of(content: &str, name: usize, line_end: usize) -> (usize, bool) {
+    let rest = &content.as_bytes()[name..line_end];
+    let braces = rest
+        .windows(2)
+        .position(|pair| pair == b"}}" || pair == b"{{");
+    match braces {
+        Some(at) if rest[at] == b'}' => (name + at + 2, true),
+        Some(at) => (name + at, false),
+        None => (line_end, false),
+    }
+}
+
+/// A line of a chapter.
+#[derive(Clone)]
+struct Line {
+    /// Counted from 1.
+    number: usize,
+    /// Where it stands, without its line break.
+    range: Range<usize>,
+}
+
+/// The lines of a chapter, for places that are asked for in order.
+struct Lines<'a> {
+    content: &'a str,
+    line: Line,
+}
+
+impl<'a> Lines<'a> {
+    fn of(content: &'a str) -> Self {
+        let range = line_from(content, 0);
+        let line = Line { number: 1, range };
+        Self { content, line }
+    }
+
+    /// The line around a place, which lies on the line before or after it.
+    fn around(&mut self, place: usize) -> Line {
+        while self.line.range.end < place {
+            self.line.range = line_from(self.content, self.line.range.end + 1);
+            self.line.number += 1;
+        }
+        self.line.clone()
+    }
+}
+
+/// The line that starts here.
+fn line_from(content: &str, start: usize) -> Range<usize> {
+    let end = content[start..].find('\n');
+    start..end.map_or(content.len(), |end| start + end)
+}
+
+/// Pieces of a chapter, asked in order whether they cover a place.
+struct Covered {
+    /// By their starts.
+    pieces: Peekable<vec::IntoIter<Range<usize>>>,
+    /// Where the last of the pieces ends that start up to the place.
+    end: usize,
+}
+
+impl Covered {
+    fn by(mut pieces: Vec<Range<usize>>) -> Self {
+        pieces.sort_by_key(|piece| piece.start);
+        let pieces = pieces.into_iter().peekable();
+        Self { pieces, end: 0 }
+    }
+
+    /// Does a piece cover this place, which lies nowhere before the place that was asked about last?
+    fn covers(&mut self, place: usize) -> bool {
+        while let Some(piece) = self.pieces.next_if(|piece| piece.start <= place) {
+            self.end = self.end.max(piece.end);
+        }
+        place < self.end
+    }
+}
+
+/// Where nothing is followed: in code and in comments.
+fn untouched(content: &str) -> Vec<Range<usize>> {
+    let code = code(content);
+    let mut found = comments(content, code.clone());
+    found.extend(code);
+    found
+}
+
 /// Where comments stand, from `<!--` to `-->`, outside of code.
-fn comments(content: &str, code: &[Range<usize>]) -> Vec<Range<usize>> {
+fn comments(content: &str, code: Vec<Range<usize>>) -> Vec<Range<usize>> {
+    let mut code = Covered::by(code);
     let mut found: Vec<Range<usize>> = Vec::new();
     for (start, _) in content.match_indices("<!--") {
-        let inside = |range: &Range<usize>| range.contains(&start);
-        if code.iter().any(inside) || found.iter().any(inside) {
+        let is_inside = found.last().is_some_and(|last| start < last.end);
+        if code.covers(start) || is_inside {
             continue;
         }
         let end = content[start..]
@@ -126,12 +212,10 @@ fn code(content: &str) -> Vec<Range<usize>> {
 
 /// What follows a block that takes the place of the directive, if that is all that its line has: the empty line that
 /// ends the block where the text goes on in the same lists and block quotes.
-fn alone(content: &str, range: &Range<usize>) -> Option<String> {
-    let line_start = content[..range.start].rfind('\n').map_or(0, |end| end + 1);
-    let before = &content[line_start..range.start];
-    let mut lines = content[range.end..].split('\n');
-    let after = lines.next().unwrap_or_default();
-    if !after.trim().is_empty() || !is_container(before) {
+fn alone(content: &str, range: &Range<usize>, line: &Line) -> Option<String> {
+    let before = &content[line.range.start..range.start];
+    let after = &content[range.end..line.range.end];
+    if !after.trim_start().is_empty() || !is_container(before) {
         return None;
     }
     // a block quote is marked on every line, a list by its indentation alone
@@ -142,7 +226,8 @@ fn alone(content: &str, range: &Range<usize>) -> Option<String> {
     } else {
         &goes_on
     };
-    let next = lines.next().unwrap_or_default();
+    let next = content.get(line.range.end + 1..).unwrap_or_default();
+    let next = next.split('\n').next().unwrap_or_default();
     let is_same = next.starts_with(marked) && !next[marked.len()..].trim().is_empty();
     Some(if is_same {
         format!("\n{}", goes_on.trim_end())
@@ -236,5 +321,62 @@ mod tests {
         assert_eq!(found("{{ #raystep a/b }}")[0].2, ["a/b"]);
         assert_eq!(found("{{#raystepx a/b}}")[0].1, "raystepx");
         assert_eq!(found("`<!--` {{#raystep a/b}}").len(), 1);
+    }
+
+    #[test]
+    fn a_directive_without_an_end_goes_up_to_the_next_one_on_its_line() {
+        let content =
+            "a\nSee {{#raystep-value x/y cell.count and {{#raystep x/y}} cells {{ #raystep z/w.\nb";
+        let all = directives(content);
+        let told = all
+            .iter()
+            .map(|of| (of.line, &content[of.range.clone()], of.ends));
+        assert_eq!(
+            told.collect::<Vec<_>>(),
+            [
+                (2, "{{#raystep-value x/y cell.count and ", false),
+                (2, "{{#raystep x/y}}", true),
+                (2, "{{ #raystep z/w.", false),
+            ]
+        );
+        assert_eq!(all[0].words, ["x/y", "cell.count", "and"]);
+    }
+
+    #[test]
+    fn code_in_a_comment_and_a_comment_in_code_end_where_they_end() {
+        let all = found(
+            "See <!-- `{{#raystep a/b}}` --> {{#raystep c/d}} `<!-- {{#raystep e/f}}` {{#raystep g/h}}",
+        );
+        let words: Vec<&str> = all.iter().map(|of| of.2[0].as_str()).collect();
+        assert_eq!(words, ["c/d", "g/h"]);
+    }
+
+    /// A pass that looked at the rest of the chapter or of the line for each directive would look at 10¹² bytes here,
+    /// and not come back.
+    #[test]
+    fn the_time_grows_with_the_length_of_a_chapter_and_not_with_its_square() {
+        const MANY: usize = 200_000;
+        let quotes = "> ".repeat(MANY);
+        let spaces = " ".repeat(MANY);
+        let ended = "{{#raystep a/b}}";
+        for (content, count) in [
+            ("{{#raystep a/b ".repeat(MANY), MANY),
+            (format!("{ended} ").repeat(MANY), MANY),
+            (format!("{ended}\n").repeat(MANY), MANY),
+            (format!("{quotes}{}", ended.repeat(MANY)), MANY),
+            (format!("{}{spaces}", ended.repeat(MANY)), MANY),
+            (format!("<!-- {ended} -->").repeat(MANY), 0),
+            (format!("`{ended}` {ended}").repeat(MANY), MANY),
+            (format!("<!-- {ended}").repeat(MANY), 0),
+        ] {
+            let all = directives(&content);
+            assert_eq!(all.len(), count, "{}", &content[..40]);
+            if let Some(last) = all.last() {
+                assert_eq!(
+                    last.line,
+                    1 + content[..last.range.start].matches('\n').count()
+                );
+            }
+        }
     }
 }

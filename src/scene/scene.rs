@@ -211,9 +211,14 @@ pub fn nearest_name<'a>(name: &str, known: impl Iterator<Item = &'a str>) -> Opt
     /// What one slip counts, two letters that changed places included, of which Jaro-Winkler sees none in
     /// words of three letters.
     const SLIP: f64 = 0.8;
+    /// Nobody misspells a longer name, in characters; to compare it takes time that grows with its length.
+    const LONGEST: usize = 256;
+    let length = name.chars().count();
+    if LONGEST < length {
+        return None;
+    }
     let likeness = |candidate: &str| {
-        let is_slip =
-            3 <= name.chars().count() && strsim::damerau_levenshtein(name, candidate) == 1;
+        let is_slip = 3 <= length && strsim::damerau_levenshtein(name, candidate) == 1;
         let slip = if is_slip { SLIP } else { 0.0 };
         strsim::jaro_winkler(name, candidate).max(slip)
     };
