@@ -10,6 +10,7 @@ mod lessons;
 pub(crate) mod light;
 mod nff_and_obj;
 mod options;
+mod same_file;
 mod scenes;
 mod structures;
 mod targets;

@@ -14,6 +14,7 @@ use crate::cli::light::tell_notes;
 use crate::cli::output::{self, Output};
 use crate::cli::pixel::inside;
 use crate::cli::progress::{bar, bar_of, on_threads};
+use crate::cli::same_file::Taken;
 
 /// Begins the ids of the chart.
 const CHART_ID: &str = "raystep-compare";
@@ -33,7 +34,9 @@ pub(crate) fn run(args: &CompareArgs) -> Result<(), Error> {
     let ready = scene_of(args, input::ready)?;
     let scene = &ready.scene;
     let pixel = args.pixel.map(|pixel| inside(pixel, scene)).transpose()?;
-    let chart = args.chart.as_deref().map(Output::create).transpose()?;
+    let taken = Taken::by_reading(&args.scene, &ready.files);
+    let chart = args.chart.as_deref();
+    let chart = chart.map(|path| Output::create(path, &taken)).transpose()?;
 
     let settings = &ready.settings;
     let strategy = Exhaustive::new(scene);

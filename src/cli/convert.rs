@@ -13,12 +13,18 @@ use crate::cli::Error;
 use crate::cli::args::ConvertArgs;
 use crate::cli::input::{self, Input};
 use crate::cli::output::Output;
+use crate::cli::same_file::Taken;
 
 /// Writes the scene as JSON.
 pub(crate) fn run(args: &ConvertArgs) -> Result<(), Error> {
     refuse_target(args)?;
+    // a scene may take its own place, but not that of its meshes
+    let mut taken = Taken::nothing();
     let scene = match input::open(&args.scene)? {
         Input::Scene(loaded) => {
+            for mesh in &loaded.files {
+                taken.read(mesh);
+            }
             let scene = loaded.scene.clone();
             // a scene that makes no sense is refused here, not by whoever reads the JSON
             loaded.build()?;
@@ -26,7 +32,7 @@ pub(crate) fn run(args: &ConvertArgs) -> Result<(), Error> {
         }
         Input::Log(log) => file_of(log.scene()),
     };
-    Output::create(&args.output)?.write_whole(json(&scene).as_bytes())
+    Output::create(&args.output, &taken)?.write_whole(json(&scene).as_bytes())
 }
 
 /// JSON under the ending of another format would be read as that.

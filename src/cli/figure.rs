@@ -11,6 +11,7 @@ use crate::cli::Error;
 use crate::cli::args::{Drawing, FigureArgs, WidthName};
 use crate::cli::output::{Output, is_standard};
 use crate::cli::raster;
+use crate::cli::same_file::Taken;
 
 impl Drawing {
     /// For what it is drawn, and how it is written.
@@ -42,12 +43,32 @@ pub(crate) fn run(args: &FigureArgs) -> Result<(), Error> {
     let write = writer(args);
     let library = Library::open(&args.drawing.lessons)?;
     let (lesson, spec) = library.find(&args.name)?;
+    let mut taken = Taken::nothing();
+    for lesson in &library.lessons {
+        taken.read(&lesson.path());
+    }
     let traced = match &args.log {
-        Some(log) => read_log(log)?,
-        None => lesson.trace(&args.name.figure, spec)?,
+        Some(log) => {
+            taken.read(log);
+            read_log(log)?
+        }
+        None => {
+            let loaded = lesson.load(spec)?;
+            for file in &loaded.files {
+                taken.read(file);
+            }
+            lesson.trace_loaded(&args.name.figure, spec, loaded)?
+        }
     };
     if let Some(path) = &args.write_log {
-        let mut log = Output::create(path)?;
+        taken.refuse(path)?;
+        taken.write(path, "which --write-log writes");
+    }
+    if !args.steps {
+        taken.refuse(&args.output)?;
+    }
+    if let Some(path) = &args.write_log {
+        let mut log = Output::create(path, &Taken::nothing())?;
         for traced in &traced {
             traced.write(&mut log).map_err(|error| log.failed(error))?;
         }
@@ -61,16 +82,19 @@ pub(crate) fn run(args: &FigureArgs) -> Result<(), Error> {
     };
     let whole = draw(args.step)?;
     if !args.steps {
-        return Output::create(&args.output)?.write_whole(&write(&whole.svg)?);
+        return Output::create(&args.output, &taken)?.write_whole(&write(&whole.svg)?);
     }
     let steps = &whole.steps;
     let files = numbered(&args.output, steps.len())?;
+    for file in &files {
+        taken.refuse(file)?;
+    }
     let mut drawings = Vec::with_capacity(steps.len());
     for step in steps {
         drawings.push(write(&draw(Some(*step))?.svg)?);
     }
     for (file, drawing) in files.iter().zip(drawings) {
-        Output::create(file)?.write_whole(&drawing)?;
+        Output::create(file, &taken)?.write_whole(&drawing)?;
     }
     Ok(())
 }

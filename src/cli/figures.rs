@@ -12,6 +12,7 @@ use crate::cli::Error;
 use crate::cli::args::FiguresArgs;
 use crate::cli::figure::drawn;
 use crate::cli::output::Output;
+use crate::cli::same_file::Taken;
 
 /// Draws all figures; writes those that changed, or tells them.
 pub(crate) fn run(args: &FiguresArgs) -> Result<(), Error> {
@@ -19,17 +20,30 @@ pub(crate) fn run(args: &FiguresArgs) -> Result<(), Error> {
     let how = args.drawing.rendition();
     let draw = |name: FigureName| {
         let (lesson, spec) = library.find(&name)?;
-        let traced = lesson.trace(&name.figure, spec)?;
+        let loaded = lesson.load(spec)?;
+        let read = loaded.files.clone();
+        let traced = lesson.trace_loaded(&name.figure, spec, loaded)?;
         let drawn = drawn(lesson, spec, &name, &traced, how)?;
         let file = args
             .out
             .join(&name.lesson)
             .join(format!("{}.svg", name.figure));
-        Ok((file, drawn.svg))
+        Ok((file, drawn.svg, read))
     };
-    let drawn: Result<Vec<(PathBuf, String)>, Error> =
+    let drawn: Result<Vec<(PathBuf, String, Vec<PathBuf>)>, Error> =
         library.figures().into_par_iter().map(draw).collect();
-    let drawn = drawn?;
+    let mut taken = Taken::nothing();
+    for lesson in &library.lessons {
+        taken.read(&lesson.path());
+    }
+    let mut figures = Vec::new();
+    for (file, svg, read) in drawn? {
+        figures.push((file, svg));
+        for file in read {
+            taken.read(&file);
+        }
+    }
+    let drawn = figures;
     if args.check {
         return check(args, &drawn);
     }
@@ -44,7 +58,7 @@ pub(crate) fn run(args: &FiguresArgs) -> Result<(), Error> {
                 source,
             })?;
         }
-        Output::create(file)?.write_whole(svg.as_bytes())?;
+        Output::create(file, &taken)?.write_whole(svg.as_bytes())?;
     }
     Ok(())
 }

@@ -2,7 +2,7 @@
 
 use std::fs::File;
 use std::io::{self, BufRead, BufReader, Cursor, Read, Write};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
 use raystep::{
@@ -34,6 +34,8 @@ pub(crate) struct Ready {
     pub(crate) settings: Settings,
     /// How many rays one pixel may take.
     pub(crate) max_rays: u64,
+    /// The files that it names and that were read for it.
+    pub(crate) files: Vec<PathBuf>,
     /// How long it took to read and check it.
     pub(crate) loading: Duration,
 }
@@ -120,6 +122,7 @@ pub(crate) fn ready_for_all(
     if let Some(depth) = tracing.casting.max_depth {
         loaded.scene.max_depth = depth;
     }
+    let files = std::mem::take(&mut loaded.files);
     let mut scene = loaded.build().map_err(|error| {
         // what an option has put there stands in no line of the file
         let option = match &error {
@@ -162,6 +165,7 @@ pub(crate) fn ready_for_all(
         scene,
         settings,
         max_rays: tracing.casting.max_rays.unwrap_or(MAX_RAYS),
+        files,
         loading: started.elapsed(),
     })
 }

@@ -16,6 +16,7 @@ mod pixel;
 mod progress;
 mod raster;
 mod render;
+mod same_file;
 mod schema;
 mod stats;
 mod structure_options;

@@ -11,6 +11,7 @@ use std::sync::{Mutex, MutexGuard, Once, PoisonError};
 use tempfile::TempPath;
 
 use crate::cli::Error;
+use crate::cli::same_file::Taken;
 
 /// What the shell expects of a program that was interrupted: 128 + the number of SIGINT.
 const INTERRUPTED: i32 = 130;
@@ -54,8 +55,10 @@ impl Output {
         }
     }
 
-    /// Makes sure that the target can be written, before any work is done for it.
-    pub(crate) fn create(path: &Path) -> Result<Self, Error> {
+    /// Makes sure that the target can be written, and that nothing else that matters is lost by it, before any work is
+    /// done for it.
+    pub(crate) fn create(path: &Path, taken: &Taken) -> Result<Self, Error> {
+        taken.refuse(path)?;
         if is_standard(path) {
             return Ok(Self::standard());
         }
@@ -220,7 +223,7 @@ fn make_temporary(folder: &Path, target: &Path) -> io::Result<(File, TempPath)> 
 }
 
 /// The path that a new file gets: symbolic links that lead nowhere yet are followed.
-fn behind_links(path: &Path) -> PathBuf {
+pub(crate) fn behind_links(path: &Path) -> PathBuf {
     let mut target = path.to_path_buf();
     // a loop of links was refused before; so many in a row no system follows
     for _ in 0..40 {

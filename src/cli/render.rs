@@ -14,6 +14,7 @@ use crate::cli::input::{self, Input, Ready};
 use crate::cli::light::light_pass;
 use crate::cli::output::{self, Output};
 use crate::cli::progress::{bar, on_threads};
+use crate::cli::same_file::Taken;
 use crate::cli::stats::{self, Times};
 use crate::cli::structure_options::word;
 
@@ -42,7 +43,7 @@ pub(crate) fn run(args: &RenderArgs) -> Result<(), Error> {
             users: vec!["another --transport".into()],
         });
     }
-    let mut out = Output::create(&args.output)?;
+    let mut out = Output::create(&args.output, &Taken::by_reading(&args.scene, &ready.files))?;
     let started = Instant::now();
     let strategy = ready.strategy()?;
     let times = Times {

@@ -16,6 +16,7 @@ use crate::cli::input::{self, Input, Log, Ready};
 use crate::cli::light::light_pass;
 use crate::cli::output::{self, Output};
 use crate::cli::progress::{bar, on_threads};
+use crate::cli::same_file::Taken;
 use crate::cli::stats::{self, LogCounts, Times};
 
 /// How many bytes of a filtered log are kept before they are written.
@@ -51,7 +52,7 @@ fn trace(mut ready: Ready, args: &TraceArgs) -> Result<(), Error> {
         budget: args.budget,
         paths: LoggedPaths::None,
     };
-    let out = Output::create(&args.output)?;
+    let out = Output::create(&args.output, &Taken::by_reading(&args.scene, &ready.files))?;
     let started = Instant::now();
     let strategy = ready.strategy()?;
     let times = Times {
@@ -207,7 +208,8 @@ fn filter_again(mut log: Log, args: &TraceArgs, started: Instant) -> Result<(), 
         None => None,
     };
 
-    let mut out = Output::create(&args.output)?;
+    // a log may take its own place: it is read to its end first
+    let mut out = Output::create(&args.output, &Taken::nothing())?;
     let written = write_log_head(log.scene(), &settings, &mut out);
     written.map_err(|error| out.failed(error))?;
     let names = LogNames::new(log.scene());

@@ -7,7 +7,7 @@ use std::str::FromStr;
 
 use crate::figure::{Drawn, FigureError, FigureSpec, Rendition, Traced, Width, draw};
 use crate::lesson::{LessonError, LessonFile, trace_figure};
-use crate::scene::{LoadError, Place, line_of, nearest_name, parse_json};
+use crate::scene::{LoadError, Loaded, Place, line_of, nearest_name, parse_json};
 
 /// A figure's name: its lesson and its own.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -162,12 +162,37 @@ impl Lesson {
         Ok(lesson)
     }
 
+    /// The lesson's file.
+    pub fn path(&self) -> PathBuf {
+        self.folder.join("lesson.json")
+    }
+
+    /// Reads the scene of a figure of this lesson.
+    ///
+    /// # Errors
+    /// A scene that cannot be read.
+    pub fn load(&self, spec: &FigureSpec) -> Result<Loaded, LessonError> {
+        Ok(crate::scene::load(&self.folder.join(&spec.scene))?)
+    }
+
     /// Traces what a figure of this lesson is drawn from.
     ///
     /// # Errors
     /// A scene that cannot be read, or a specification that does not fit it.
     pub fn trace(&self, name: &str, spec: &FigureSpec) -> Result<Vec<Traced>, LessonError> {
-        let scene = crate::scene::load(&self.folder.join(&spec.scene))?;
+        self.trace_loaded(name, spec, self.load(spec)?)
+    }
+
+    /// The same from the figure's scene.
+    ///
+    /// # Errors
+    /// A scene that makes no sense, or a specification that does not fit it.
+    pub fn trace_loaded(
+        &self,
+        name: &str,
+        spec: &FigureSpec,
+        scene: Loaded,
+    ) -> Result<Vec<Traced>, LessonError> {
         let whole_name = self.whole_name(name);
         trace_figure(scene, &whole_name, spec, |error| self.wrong(name, error))
     }

@@ -12,6 +12,7 @@ use crate::scene::load::{Lines, LoadError, Loaded, Place, Source, obj, read, tex
 pub(super) fn read_json(file: &str, text: &str, folder: &Path) -> Result<Loaded, LoadError> {
     let mut scene: SceneFile = parse_json(file, text, "scene")?;
     let mut notes = Vec::new();
+    let mut files = Vec::new();
     for (i, object) in scene.objects.iter_mut().enumerate() {
         let ShapeFile::Mesh(mesh) = &mut object.shape else {
             continue;
@@ -28,11 +29,13 @@ pub(super) fn read_json(file: &str, text: &str, folder: &Path) -> Result<Loaded,
             notes.extend(faces.notes);
             mesh.faces = Some(faces.faces);
             mesh.file = None;
+            files.push(path);
         }
     }
     Ok(Loaded {
         scene,
         notes,
+        files,
         source: Source {
             file: file.into(),
             lines: Lines::Json(text.into()),

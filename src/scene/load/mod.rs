@@ -11,7 +11,7 @@ pub(crate) use locate::line_of;
 
 use std::fmt;
 use std::io;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use crate::scene::fault::Fault;
 use crate::scene::file::SceneFile;
@@ -24,6 +24,8 @@ pub struct Loaded {
     pub scene: SceneFile,
     /// What was left out or mended while reading: to be told, not to be stopped by.
     pub notes: Vec<String>,
+    /// The files that were read for it: those of its meshes, and by [`load`] its own.
+    pub files: Vec<PathBuf>,
     /// Where each value stands.
     source: Source,
 }
@@ -203,7 +205,9 @@ impl Format {
 pub fn load(path: &Path) -> Result<Loaded, LoadError> {
     let file = path.display().to_string();
     let bytes = read(path, &file)?;
-    load_bytes(&file, &bytes, path.parent().unwrap_or(Path::new("")))
+    let mut loaded = load_bytes(&file, &bytes, path.parent().unwrap_or(Path::new("")))?;
+    loaded.files.push(path.into());
+    Ok(loaded)
 }
 
 /// Reads a scene from memory; `folder` is where its mesh files are looked for.

@@ -58,6 +58,7 @@ pub(super) fn read_nff(file: &str, text: &str) -> Result<Loaded, LoadError> {
     Ok(Loaded {
         scene: reader.scene,
         notes: Vec::new(),
+        files: Vec::new(),
         source: Source {
             file: file.into(),
             lines: Lines::Table(reader.lines),

@@ -52,6 +52,7 @@ pub(in crate::scene::load) fn read_obj_scene(file: &str, text: &str) -> Result<L
             slabs: None,
         },
         notes,
+        files: Vec::new(),
         source: Source {
             file: file.into(),
             // the faces have been checked with their lines, and the rest stands in no line
