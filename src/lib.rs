@@ -61,7 +61,7 @@ pub use book::{BookError, BookMistake, BookOptions, Preprocessed, preprocess};
 pub use explain::{
     Compared, Comparison, Cost, ErrorOf, InAdvance, TransportComparison, TransportCost,
     WorkedOptions, counts_json, counts_text, in_advance, in_advance_json, in_advance_text,
-    pixel_json, printable, strategies_to_compare, worked_solution,
+    pixel_json, strategies_to_compare, worked_solution,
 };
 pub use figure::{
     Drawn, DroppedAxis, FigureError, FigureKind, FigureSpec, Layer, OF_EVERY_PIXEL, Raster,
@@ -79,9 +79,10 @@ pub use lesson::{
     lesson_schema, light_of_lamps, scan_lines_to_compare, trace_figure,
 };
 pub use scene::{
-    Camera, Emission, Fault, Light, LoadError, Loaded, Material, Materials, Normals, Object,
-    PhongTerm, Place, Primitive, PrimitiveId, Scene, SceneFault, SceneFile, Shape, WindowCrossing,
-    load, load_bytes, nearest_name,
+    Camera, Emission, Fault, Folder, LARGEST_FILE, LONGEST_LINE, Light, LoadError, Loaded,
+    Material, Materials, Normals, Object, PhongTerm, Place, Primitive, PrimitiveId, ReadEnd, Scene,
+    SceneFault, SceneFile, Shape, WindowCrossing, load, load_bytes, load_from, load_text,
+    nearest_name, printable, read_up_to,
 };
 pub use strategy::{
     AnyHit, BoundedObjects, Chosen, DepthFirst, Exhaustive, HeapOrdered, Hit, NearestSoFar, Search,

@@ -8,6 +8,7 @@ mod arguments;
 mod endless;
 mod lessons;
 pub(crate) mod light;
+mod limits;
 mod nff_and_obj;
 mod options;
 mod same_file;

@@ -77,7 +77,7 @@ fn a_saved_log_gives_the_same_bytes() {
         for traced in &traced {
             traced.write(&mut log).unwrap();
         }
-        let read = Traced::read("log", &log).unwrap_or_else(|error| panic!("{name}: {error}"));
+        let read = Traced::read("log", &log[..]).unwrap_or_else(|error| panic!("{name}: {error}"));
         assert_eq!(drawn(&read), drawn(&traced), "{name}");
     }
 }

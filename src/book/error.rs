@@ -3,6 +3,7 @@
 use std::fmt;
 
 use crate::lesson::LessonError;
+use crate::scene::{printable, shortened};
 
 /// A directive that cannot be followed.
 #[derive(Debug)]
@@ -38,7 +39,17 @@ impl fmt::Display for BookMistake {
             directive,
             what,
         } = self;
-        write!(f, "{chapter}, line {line}: {directive}: {what}")
+        /// More of a directive than this tells nobody where it is: its line is named, too.
+        const LONGEST: usize = 120;
+        let directive = shortened(directive, LONGEST);
+        let what: Vec<String> = what.lines().map(printable).collect();
+        write!(
+            f,
+            "{}, line {line}: {}: {}",
+            printable(chapter),
+            printable(&directive),
+            what.join("\n")
+        )
     }
 }
 
@@ -47,13 +58,15 @@ impl fmt::Display for BookError {
         match self {
             Self::Protocol(why) => write!(
                 f,
-                "what mdBook handed over cannot be read: {why}\n  this verb is called by mdBook: put \
-                 [preprocessor.raystep] into book.toml and run mdbook build"
+                "what mdBook handed over cannot be read: {}\n  this verb is called by mdBook: put \
+                 [preprocessor.raystep] into book.toml and run mdbook build",
+                printable(why)
             ),
             Self::Settings(why) => write!(
                 f,
-                "book.toml, at preprocessor.raystep: {why}\n  it may have \"lessons\", the folder of the lessons, \
-                 counted from book.toml"
+                "book.toml, at preprocessor.raystep: {}\n  it may have \"lessons\", the folder of the lessons, \
+                 counted from book.toml, and \"allow-outside\", true if their scenes may lie outside of it",
+                printable(why)
             ),
             Self::Lessons(error) => match &**error {
                 LessonError::Folder { folder, source } => {
@@ -62,8 +75,9 @@ impl fmt::Display for BookError {
                         .map_or("there is no lesson in it".into(), ToString::to_string);
                     write!(
                         f,
-                        "book.toml, at preprocessor.raystep.lessons: {folder}: {why}\n  name the folder of the lessons, \
-                         counted from book.toml; a lesson is a folder with a lesson.json"
+                        "book.toml, at preprocessor.raystep.lessons: {}: {why}\n  name the folder of the lessons, \
+                         counted from book.toml; a lesson is a folder with a lesson.json",
+                        printable(folder)
                     )
                 }
                 other => other.fmt(f),

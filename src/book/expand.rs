@@ -10,9 +10,10 @@ use crate::explain::{WorkedOptions, worked_solution};
 use crate::figure::FigureSpec;
 use crate::figure::{Rendition, Traced, Width};
 use crate::lesson::{
-    FigureName, Lesson, Library, NotCompared, compare, compare_transports, light_of_lamps,
+    FigureName, Lesson, LessonError, Library, NotCompared, compare, compare_transports,
+    light_of_lamps,
 };
-use crate::scene::nearest_name;
+use crate::scene::{LoadError, nearest_name, quoted};
 use crate::trace::{Kind, Kinds};
 use crate::tracer::{MAX_RAYS, Stopped};
 
@@ -83,8 +84,8 @@ impl<'a> Expander<'a> {
             let known = self.library.figures();
             let known: Vec<String> = known.iter().map(ToString::to_string).collect();
             match nearest_name(name, known.iter().map(String::as_str)) {
-                Some(near) => format!("{name:?} is no figure\n  did you mean {near}?"),
-                None => format!("{name:?} is no figure\n  {why}"),
+                Some(near) => format!("{} is no figure\n  did you mean {near}?", quoted(name)),
+                None => format!("{} is no figure\n  {why}", quoted(name)),
             }
         })?;
         let (lesson, spec) = self
@@ -95,7 +96,7 @@ impl<'a> Expander<'a> {
             Some(traced) => Arc::clone(traced),
             None => {
                 let traced = lesson.trace(&name.figure, spec);
-                let traced = Arc::new(traced.map_err(|error| error.to_string())?);
+                let traced = Arc::new(traced.map_err(|error| told(&error))?);
                 self.traced.insert(name.clone(), Arc::clone(&traced));
                 traced
             }
@@ -137,7 +138,7 @@ impl<'a> Expander<'a> {
             command = format!("{command} --step {step}");
         }
         if let Some(lessons) = &self.lessons {
-            command = format!("{command} --lessons {}", quoted(lessons));
+            command = format!("{command} --lessons {}", for_shell(lessons));
         }
         Ok(format!(
             "<figure class=\"raystep\" id=\"{id}_figure\">{}<figcaption>{} <code>{}</code></figcaption></figure>",
@@ -159,6 +160,16 @@ impl<'a> Expander<'a> {
         let free = all.find(|id| !self.ids.contains(id)).unwrap_or(id);
         self.ids.insert(free.clone());
         free
+    }
+}
+
+/// What is wrong with a lesson; files outside of its folder are allowed in `book.toml`.
+fn told(error: &LessonError) -> String {
+    match error {
+        LessonError::Load(LoadError::Outside { .. }) => {
+            format!("{error}: \"allow-outside\" = true in [preprocessor.raystep] of book.toml")
+        }
+        other => other.to_string(),
     }
 }
 
@@ -190,21 +201,29 @@ fn asks(word: &str) -> Result<Asks, String> {
         Some(near) => format!("did you mean {near}?"),
         None => format!("there are {}", names.join(", ")),
     };
-    Err(format!("there is no directive {word:?}\n  {fix}"))
+    Err(format!("there is no directive {}\n  {fix}", quoted(word)))
 }
 
 fn unknown_option(word: &str, known: &[&str]) -> String {
     let known = known.join(", ");
-    format!("{word:?} is none of its options\n  they are {known}")
+    format!(
+        "{} is none of its options\n  they are {known}",
+        quoted(word)
+    )
 }
 
 fn whole_number(option: &str, text: &str) -> Result<u32, String> {
     let number = text.parse();
-    number.map_err(|_| format!("{option}={text} is no whole number\n  as in {option}=12"))
+    number.map_err(|_| {
+        format!(
+            "{option}={} is no whole number\n  as in {option}=12",
+            quoted(text)
+        )
+    })
 }
 
 /// A path as a shell reads it.
-fn quoted(path: &str) -> String {
+fn for_shell(path: &str) -> String {
     let plain = |c: char| c.is_ascii_alphanumeric() || "._/-".contains(c);
     if path.chars().all(plain) {
         return path.into();
@@ -267,9 +286,10 @@ fn only(names: &str) -> Result<Kinds, String> {
         let known = Kind::ALL.map(Kind::name);
         let kind =
             Kind::named(name).ok_or_else(|| match nearest_name(name, known.into_iter()) {
-                Some(near) => format!("there is no kind {name:?}\n  did you mean {near}?"),
+                Some(near) => format!("there is no kind {}\n  did you mean {near}?", quoted(name)),
                 None => format!(
-                    "there is no kind {name:?}\n  the kinds are {}",
+                    "there is no kind {}\n  the kinds are {}",
+                    quoted(name),
                     known.join(", ")
                 ),
             })?;

@@ -1,6 +1,6 @@
 //! The protocol between mdBook and this program: a book goes in, the same book with its directives followed comes out.
 
-use std::io::Read;
+use std::io::{BufRead, BufReader, Read};
 use std::path::{Path, PathBuf};
 
 use mdbook_preprocessor::book::{Book, Chapter};
@@ -11,6 +11,7 @@ use crate::book::directive::directives;
 use crate::book::expand::{Expander, word};
 use crate::book::{BookError, BookMistake};
 use crate::lesson::Library;
+use crate::scene::LARGEST_FILE;
 
 /// What `book.toml` says below `[preprocessor.raystep]`; the other keys are mdBook's own.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Deserialize)]
@@ -18,6 +19,9 @@ use crate::lesson::Library;
 pub struct BookOptions {
     /// The folder of the lessons, counted from that of `book.toml`.
     pub lessons: Option<PathBuf>,
+    /// Whether a lesson's scenes, and their meshes, may lie outside of its folder.
+    #[serde(default)]
+    pub allow_outside: bool,
     /// mdBook's: the command that is called.
     #[serde(default)]
     command: Option<String>,
@@ -53,6 +57,12 @@ pub struct Preprocessed {
 /// Input that is not mdBook's, settings that make no sense, lessons that cannot be read, or directives that cannot be
 /// followed: all of those, each with its chapter and line.
 pub fn preprocess(input: impl Read) -> Result<Preprocessed, BookError> {
+    let mut input = BufReader::new(input.take(LARGEST_FILE));
+    let start = input.fill_buf();
+    let start = start.map_err(|error| BookError::Protocol(error.to_string()))?;
+    if start.is_empty() {
+        return Err(BookError::Protocol("standard input is empty".into()));
+    }
     let parsed = parse_input(input);
     let (context, mut book) = parsed.map_err(|error| BookError::Protocol(format!("{error:#}")))?;
     let options: Option<BookOptions> = context
@@ -71,8 +81,8 @@ pub fn preprocess(input: impl Read) -> Result<Preprocessed, BookError> {
         .chapters()
         .any(|chapter| !directives(&chapter.content).is_empty());
     if asks {
-        let library =
-            Library::open(&folder).map_err(|error| BookError::Lessons(Box::new(error)))?;
+        let library = Library::open_with(&folder, options.allow_outside)
+            .map_err(|error| BookError::Lessons(Box::new(error)))?;
         // the command line looks there by itself
         let other = given.filter(|given| given != Path::new(LESSONS));
         let lessons = other.map(|given| given.display().to_string());

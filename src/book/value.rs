@@ -4,7 +4,7 @@ use serde_json::{Map, Value, json};
 
 use crate::explain::{counts_json, shown};
 use crate::figure::Traced;
-use crate::scene::nearest_name;
+use crate::scene::{nearest_name, quoted, shortened};
 use crate::trace::{Counts, LogNames, Recorder, write_event};
 
 /// How many digits a number has in prose, as in the worked solution.
@@ -101,19 +101,23 @@ fn next<'a>(at: &'a Value, step: &str) -> Result<&'a Value, String> {
         Value::Object(map) => map.get(step).ok_or_else(|| {
             let near = nearest_name(step, map.keys().map(String::as_str));
             match near {
-                Some(near) => format!("there is no {step:?}\n  did you mean {near}?"),
-                None => format!("there is no {step:?}\n  there are {}", keys(map)),
+                Some(near) => format!("there is no {}\n  did you mean {near}?", quoted(step)),
+                None => format!("there is no {}\n  there are {}", quoted(step), keys(map)),
             }
         }),
         Value::Array(list) => {
             let found = step.parse::<usize>().ok().and_then(|place| list.get(place));
             found.ok_or_else(|| match list.len().checked_sub(1) {
-                Some(last) => format!("there is no [{step}]\n  the places are 0 to {last}"),
+                Some(last) => format!(
+                    "there is no [{}]\n  the places are 0 to {last}",
+                    shortened(step, 40)
+                ),
                 None => "the list is empty".into(),
             })
         }
         _ => Err(format!(
-            "there is nothing below, and so no {step:?}\n  shorten the path"
+            "there is nothing below, and so no {}\n  shorten the path",
+            quoted(step)
         )),
     }
 }

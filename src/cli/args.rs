@@ -15,6 +15,9 @@ use raystep::{
 use crate::cli::Error;
 pub(crate) use figures::{Drawing, FigureArgs, FiguresArgs, MdbookArgs, MdbookVerb, WidthName};
 
+/// The most threads that one may ask for: no machine has more cores, and to start many more takes longer than to trace.
+const MOST_THREADS: i64 = 1024;
+
 /// A ray tracer that shows its working.
 #[derive(Debug, Parser)]
 #[command(name = "raystep", version, arg_required_else_help = true)]
@@ -48,6 +51,14 @@ pub(crate) enum Verb {
     Completions(CompletionsArgs),
     /// Follow the directives of an mdBook; mdBook calls this.
     Mdbook(MdbookArgs),
+}
+
+/// What may be read.
+#[derive(Debug, Default, ClapArgs)]
+pub(crate) struct Reading {
+    /// Read mesh files that lie outside of the scene's folder
+    #[arg(long)]
+    pub(crate) allow_outside: bool,
 }
 
 /// How a scene is traced. A saved log has been traced, so none of these go with one, except the
@@ -209,6 +220,9 @@ pub(crate) struct PixelArgs {
     #[arg(long, value_enum, default_value = "text", hide_possible_values = true)]
     #[arg(value_name = "text|json")]
     pub(crate) format: Format,
+    /// What may be read.
+    #[command(flatten)]
+    pub(crate) reading: Reading,
     /// How it is traced.
     #[command(flatten)]
     pub(crate) tracing: Tracing,
@@ -235,8 +249,11 @@ pub(crate) struct TraceArgs {
     #[arg(long, value_name = "N", default_value_t = 10_000_000)]
     pub(crate) budget: u64,
     /// How many threads trace [default: all cores]
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=MOST_THREADS))]
     pub(crate) threads: Option<u16>,
+    /// What may be read.
+    #[command(flatten)]
+    pub(crate) reading: Reading,
     /// How it is traced.
     #[command(flatten)]
     pub(crate) tracing: Tracing,
@@ -258,8 +275,11 @@ pub(crate) struct RenderArgs {
     #[arg(long, value_enum, value_name = "WHAT")]
     pub(crate) heatmap: Option<HeatOf>,
     /// How many threads trace [default: all cores]
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=MOST_THREADS))]
     pub(crate) threads: Option<u16>,
+    /// What may be read.
+    #[command(flatten)]
+    pub(crate) reading: Reading,
     /// How it is traced.
     #[command(flatten)]
     pub(crate) tracing: Tracing,
@@ -289,8 +309,11 @@ pub(crate) struct CompareArgs {
     #[arg(long, value_name = "F.svg")]
     pub(crate) chart: Option<PathBuf>,
     /// How many threads trace [default: all cores]
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=MOST_THREADS))]
     pub(crate) threads: Option<u16>,
+    /// What may be read.
+    #[command(flatten)]
+    pub(crate) reading: Reading,
     /// Which rays there are.
     #[command(flatten)]
     pub(crate) casting: Casting,
@@ -317,6 +340,9 @@ pub(crate) struct ConvertArgs {
     /// The scene in JSON; - is standard output
     #[arg(value_name = "OUT.json")]
     pub(crate) output: PathBuf,
+    /// What may be read.
+    #[command(flatten)]
+    pub(crate) reading: Reading,
 }
 
 /// A JSON Schema.

@@ -35,8 +35,14 @@ pub(crate) fn run(args: &CompareArgs) -> Result<(), Error> {
     let scene = &ready.scene;
     let pixel = args.pixel.map(|pixel| inside(pixel, scene)).transpose()?;
     let taken = Taken::by_reading(&args.scene, &ready.files);
-    let chart = args.chart.as_deref();
-    let chart = chart.map(|path| Output::create(path, &taken)).transpose()?;
+    let chart = match &args.chart {
+        Some(path) => {
+            taken.refuse(path)?;
+            output::refuse_ending(path, "a chart", &["svg"])?;
+            Some(Output::create(path, &taken)?)
+        }
+        None => None,
+    };
 
     let settings = &ready.settings;
     let strategy = Exhaustive::new(scene);
@@ -70,7 +76,7 @@ fn scene_of(
         casting: args.casting.clone(),
         ..Tracing::default()
     };
-    match input::open(&args.scene)? {
+    match input::open(&args.scene, &args.reading)? {
         Input::Scene(loaded) => ready(*loaded, &tracing, started),
         Input::Log(_) => Err(input::needs_scene(&args.scene, "a comparison needs")),
     }

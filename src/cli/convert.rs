@@ -20,7 +20,7 @@ pub(crate) fn run(args: &ConvertArgs) -> Result<(), Error> {
     refuse_target(args)?;
     // a scene may take its own place, but not that of its meshes
     let mut taken = Taken::nothing();
-    let scene = match input::open(&args.scene)? {
+    let scene = match input::open(&args.scene, &args.reading)? {
         Input::Scene(loaded) => {
             for mesh in &loaded.files {
                 taken.read(mesh);

@@ -3,9 +3,9 @@
 use std::fmt;
 use std::io;
 
+use clap::error::{ContextKind, ContextValue};
 use raystep::{
-    BookError, Fault, GridError, LessonError, LightError, LoadError, LogError, Region, Stopped,
-    StructureError, Transport,
+    BookError, Fault, GridError, LessonError, LightError, LoadError, LogError, Region, Stopped, StructureError, Transport, printable,
 };
 
 /// Why a command did not do what it was asked to.
@@ -20,6 +20,17 @@ pub(crate) enum Error {
     },
     /// The scene could not be loaded.
     Load(LoadError),
+    /// There is nothing on standard input.
+    EmptyInput,
+    /// An input, or a line of it, is too long.
+    TooLong {
+        /// The input.
+        file: String,
+        /// What of it.
+        what: &'static str,
+        /// How many bytes it may have.
+        bytes: u64,
+    },
     /// The log could not be read.
     Log(LogError),
     /// A lesson, or a figure of it.
@@ -169,22 +180,41 @@ impl fmt::Display for Error {
             Self::Usage(usage) => usage.fmt(f),
             Self::Negative { argument } if argument.starts_with("--") => write!(
                 f,
-                "{argument}: no number of this command is negative\n  give a number of 0 or more"
+                "{}: no number of this command is negative\n  give a number of 0 or more",
+                printable(argument)
             ),
             Self::Negative { argument } => write!(
                 f,
-                "{argument}: no number of this command is negative; pixels count from 0,0 at the \
-                 top left\n  if it is a file, write ./{argument}"
+                "{0}: no number of this command is negative; pixels count from 0,0 at the \
+                 top left\n  if it is a file, write ./{0}",
+                printable(argument)
             ),
+            Self::Load(error @ LoadError::Outside { .. }) => {
+                write!(f, "{error} with --allow-outside")
+            }
             Self::Load(error) => error.fmt(f),
+            Self::EmptyInput => f.write_str(
+                "standard input is empty\n  give it a scene or a log, as in: raystep trace scene.json | raystep pixel - 80,60",
+            ),
+            Self::TooLong { file, what, bytes } => write!(
+                f,
+                "{}: {what} has more than {} GiB\n  give a smaller scene",
+                printable(file),
+                bytes >> 30
+            ),
             Self::Log(error) => error.fmt(f),
             Self::Lesson(error) => error.fmt(f),
             Self::Book(error) => error.fmt(f),
             Self::Stale { stale, of, out } => write!(
                 f,
-                "{}\n{} of the {of} figures are not what is drawn today\n  draw them again: raystep figures --out {out}",
-                stale.join("\n"),
-                stale.len()
+                "{}\n{} of the {of} figures are not what is drawn today\n  draw them again: raystep figures --out {}",
+                stale
+                    .iter()
+                    .map(|stale| printable(stale))
+                    .collect::<Vec<_>>()
+                    .join("\n"),
+                stale.len(),
+                printable(out)
             ),
             Self::Raster { what, fix } => write!(f, "{what}\n  {fix}"),
             Self::Option { option, fault } => write!(f, "{option}: {fault}\n  {}", fault.fix()),
@@ -201,7 +231,9 @@ impl fmt::Display for Error {
                 Some(option) => write!(f, "{option}: {fault}"),
                 None => fault.fmt(f),
             },
-            Self::Light { file, fault } => write!(f, "{file}: {fault}\n  {}", fault.fix()),
+            Self::Light { file, fault } => {
+                write!(f, "{}: {fault}\n  {}", printable(file), fault.fix())
+            },
             Self::PixelOutside {
                 pixel: [x, y],
                 pixels,
@@ -217,10 +249,13 @@ impl fmt::Display for Error {
             }
             Self::NeedsScene { file, what } => write!(
                 f,
-                "{file}: this is a log, and {what} new rays, for which the scene itself is needed\n  \
-                 give the scene; 'raystep convert' takes it out of the log"
+                "{}: this is a log, and {what} new rays, for which the scene itself is needed\n  \
+                 give the scene; 'raystep convert' takes it out of the log",
+                printable(file)
             ),
-            Self::NotInLog { file, what, fix } => write!(f, "{file}: {what}\n  {fix}"),
+            Self::NotInLog { file, what, fix } => {
+                write!(f, "{}: {}\n  {fix}", printable(file), printable(what))
+            }
             Self::NoSuchRay {
                 ray,
                 last: Some(last),
@@ -245,7 +280,9 @@ impl fmt::Display for Error {
                 f,
                 "--stats=json writes to standard output, and so does the command itself\n  {fix}"
             ),
-            Self::Target { file, what, fix } => write!(f, "{file}: {what}\n  {fix}"),
+            Self::Target { file, what, fix } => {
+                write!(f, "{}: {}\n  {fix}", printable(file), printable(what))
+            }
             Self::Write { file, source } => {
                 let fix = match source.kind() {
                     io::ErrorKind::StorageFull | io::ErrorKind::QuotaExceeded => {
@@ -256,7 +293,7 @@ impl fmt::Display for Error {
                     }
                     _ => "check the place, or choose another one",
                 };
-                write!(f, "{file}: cannot be written: {source}\n  {fix}")
+                write!(f, "{}: cannot be written: {source}\n  {fix}", printable(file))
             }
             Self::Threads { source } => {
                 write!(
@@ -307,7 +344,19 @@ impl fmt::Display for Inside {
 }
 
 impl From<clap::Error> for Error {
-    fn from(error: clap::Error) -> Self {
+    fn from(mut error: clap::Error) -> Self {
+        // what was typed is repeated in the message, and may come from a file's name
+        let typed = [
+            ContextKind::InvalidArg,
+            ContextKind::InvalidSubcommand,
+            ContextKind::InvalidValue,
+        ];
+        for kind in typed {
+            if let Some(ContextValue::String(text)) = error.get(kind) {
+                let text = printable(text);
+                error.insert(kind, ContextValue::String(text));
+            }
+        }
         Self::Usage(error)
     }
 }

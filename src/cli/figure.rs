@@ -1,19 +1,26 @@
 //! `raystep figure`: one figure of a lesson, from its scene or from a saved log.
 
-use std::fs;
+use std::fs::File;
+use std::io::BufReader;
 use std::path::{Path, PathBuf};
 
 use raystep::{
-    Drawn, FigureName, FigureSpec, Lesson, LessonError, Library, LogError, Rendition, Traced, Width,
+    Drawn, FigureName, FigureSpec, Lesson, LessonError, Library, Loaded, LogError, Rendition,
+    Traced, Width,
 };
 
 use crate::cli::Error;
 use crate::cli::args::{Drawing, FigureArgs, WidthName};
-use crate::cli::output::{Output, is_standard};
+use crate::cli::output::{Output, is_standard, refuse_ending};
 use crate::cli::raster;
 use crate::cli::same_file::Taken;
 
 impl Drawing {
+    /// The lessons.
+    pub(crate) fn library(&self) -> Result<Library, LessonError> {
+        Library::open_with(&self.lessons, self.allow_outside)
+    }
+
     /// For what it is drawn, and how it is written.
     pub(crate) fn rendition(&self) -> (Width, Rendition) {
         let width = match self.width {
@@ -38,26 +45,31 @@ pub(crate) fn id_of(name: &FigureName) -> String {
     format!("raystep-{lesson}-{}", name.figure)
 }
 
+/// What the figure is drawn from.
+enum Source<'a> {
+    Log(&'a Path),
+    Scene(Box<Loaded>),
+}
+
 /// Draws the figure.
 pub(crate) fn run(args: &FigureArgs) -> Result<(), Error> {
-    let write = writer(args);
-    let library = Library::open(&args.drawing.lessons)?;
+    let library = args.drawing.library()?;
     let (lesson, spec) = library.find(&args.name)?;
     let mut taken = Taken::nothing();
     for lesson in &library.lessons {
-        taken.read(&lesson.path());
+        taken.read(lesson.path());
     }
-    let traced = match &args.log {
+    let source = match &args.log {
         Some(log) => {
             taken.read(log);
-            read_log(log)?
+            Source::Log(log)
         }
         None => {
-            let loaded = lesson.load(spec)?;
+            let loaded = lesson.load(&args.name.figure, spec)?;
             for file in &loaded.files {
                 taken.read(file);
             }
-            lesson.trace_loaded(&args.name.figure, spec, loaded)?
+            Source::Scene(Box::new(loaded))
         }
     };
     if let Some(path) = &args.write_log {
@@ -67,6 +79,11 @@ pub(crate) fn run(args: &FigureArgs) -> Result<(), Error> {
     if !args.steps {
         taken.refuse(&args.output)?;
     }
+    let write = writer(args)?;
+    let traced = match source {
+        Source::Log(log) => read_log(log)?,
+        Source::Scene(loaded) => lesson.trace_loaded(&args.name.figure, spec, *loaded)?,
+    };
     if let Some(path) = &args.write_log {
         let mut log = Output::create(path, &Taken::nothing())?;
         for traced in &traced {
@@ -112,26 +129,27 @@ pub(crate) fn drawn(
 
 fn read_log(path: &Path) -> Result<Vec<Traced>, Error> {
     let file = path.display().to_string();
-    let bytes = fs::read(path).map_err(|source| LogError::Read {
+    let log = File::open(path).map_err(|source| LogError::Read {
         file: file.clone(),
         source,
     })?;
-    Ok(Traced::read(&file, &bytes)?)
+    Ok(Traced::read(&file, BufReader::new(log))?)
 }
 
 /// How a drawing becomes the bytes of the format that is asked for.
 type Format = fn(&str) -> Result<Vec<u8>, Error>;
 
-fn writer(args: &FigureArgs) -> Format {
+fn writer(args: &FigureArgs) -> Result<Format, Error> {
     let ending = args.output.extension();
     let ends = |with: &str| ending.is_some_and(|ending| ending.eq_ignore_ascii_case(with));
     if args.png || (!args.pdf && ends("png")) {
-        raster::png
-    } else if args.pdf || ends("pdf") {
-        raster::pdf
-    } else {
-        |svg| Ok(svg.as_bytes().to_vec())
+        return Ok(raster::png);
     }
+    if args.pdf || ends("pdf") {
+        return Ok(raster::pdf);
+    }
+    refuse_ending(&args.output, "a figure", &["svg", "png", "pdf"])?;
+    Ok(|svg| Ok(svg.as_bytes().to_vec()))
 }
 
 /// `F-1.svg`, `F-2.svg`, … with as many digits as the last needs.

@@ -6,7 +6,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use rayon::prelude::*;
-use raystep::{FigureName, Library};
+use raystep::FigureName;
 
 use crate::cli::Error;
 use crate::cli::args::FiguresArgs;
@@ -16,11 +16,11 @@ use crate::cli::same_file::Taken;
 
 /// Draws all figures; writes those that changed, or tells them.
 pub(crate) fn run(args: &FiguresArgs) -> Result<(), Error> {
-    let library = Library::open(&args.drawing.lessons)?;
+    let library = args.drawing.library()?;
     let how = args.drawing.rendition();
     let draw = |name: FigureName| {
         let (lesson, spec) = library.find(&name)?;
-        let loaded = lesson.load(spec)?;
+        let loaded = lesson.load(&name.figure, spec)?;
         let read = loaded.files.clone();
         let traced = lesson.trace_loaded(&name.figure, spec, loaded)?;
         let drawn = drawn(lesson, spec, &name, &traced, how)?;
@@ -34,7 +34,7 @@ pub(crate) fn run(args: &FiguresArgs) -> Result<(), Error> {
         library.figures().into_par_iter().map(draw).collect();
     let mut taken = Taken::nothing();
     for lesson in &library.lessons {
-        taken.read(&lesson.path());
+        taken.read(lesson.path());
     }
     let mut figures = Vec::new();
     for (file, svg, read) in drawn? {

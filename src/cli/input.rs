@@ -6,14 +6,16 @@ use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
 use raystep::{
-    Chosen, Fault, LoadError, Loaded, LogReader, MAX_RAYS, Scene, Settings, Stopped, begins_log,
-    load_bytes,
+    Chosen, Fault, Folder, LoadError, Loaded, LogReader, ReadEnd, Scene, Settings, Stopped, LARGEST_FILE, LONGEST_LINE, MAX_RAYS, begins_log, load_bytes, load_text, printable, read_up_to,
 };
 
 use crate::cli::Error;
-use crate::cli::args::Tracing;
+use crate::cli::args::{Reading, Tracing};
 use crate::cli::light_options::{self, LIGHT_OPTIONS};
 use crate::cli::structure_options::{STRUCTURE_OPTIONS, refuse_unused};
+
+/// How many bytes are read at once: with less, calls of the system add up.
+const AT_ONCE: usize = 1 << 16;
 
 /// A log that is read while it comes in.
 pub(crate) type Log = LogReader<Box<dyn BufRead>>;
@@ -68,7 +70,7 @@ pub(crate) fn name_of(path: &Path) -> String {
 }
 
 /// Opens a scene or a log. Notes about a scene go to standard error.
-pub(crate) fn open(path: &Path) -> Result<Input, Error> {
+pub(crate) fn open(path: &Path, reading: &Reading) -> Result<Input, Error> {
     let file = name_of(path);
     let unreadable = |source| {
         Error::Load(LoadError::Read {
@@ -77,26 +79,56 @@ pub(crate) fn open(path: &Path) -> Result<Input, Error> {
         })
     };
     let is_standard = path == Path::new("-");
+    let mut length = 0;
     let mut input: Box<dyn BufRead> = if is_standard {
-        Box::new(BufReader::new(io::stdin()))
+        Box::new(BufReader::with_capacity(AT_ONCE, io::stdin()))
     } else {
-        Box::new(BufReader::new(File::open(path).map_err(unreadable)?))
+        let opened = File::open(path).map_err(unreadable)?;
+        length = opened.metadata().map_or(0, |meta| meta.len());
+        Box::new(BufReader::with_capacity(AT_ONCE, opened))
     };
 
     let mut start = Vec::new();
-    input.read_until(b'\n', &mut start).map_err(unreadable)?;
+    let mut end = read_up_to(&mut input, b'\n', LONGEST_LINE, &mut start).map_err(unreadable)?;
+    if end == ReadEnd::Limit {
+        let what = "the first line";
+        return Err(Error::TooLong {
+            file,
+            what,
+            bytes: LONGEST_LINE,
+        });
+    }
+    if is_standard && start.is_empty() {
+        return Err(Error::EmptyInput);
+    }
     if begins_log(&start) {
         let whole: Box<dyn BufRead> = Box::new(Cursor::new(start).chain(input));
         return Ok(Input::Log(Box::new(LogReader::open(&file, whole)?)));
     }
 
     let mut bytes = start;
-    input.read_to_end(&mut bytes).map_err(unreadable)?;
-    let folder = if is_standard { None } else { path.parent() };
-    let loaded = load_bytes(&file, &bytes, folder.unwrap_or(Path::new("")))?;
+    if end == ReadEnd::Stop {
+        bytes.reserve((length.min(LARGEST_FILE) as usize).saturating_sub(bytes.len()));
+        // a byte 0 is no end that text has: what is read with it is told to be none
+        end = read_up_to(&mut input, 0, LARGEST_FILE, &mut bytes).map_err(unreadable)?;
+    }
+    if end == ReadEnd::Limit {
+        let what = "the file";
+        return Err(Error::TooLong {
+            file,
+            what,
+            bytes: LARGEST_FILE,
+        });
+    }
+    let folder = if is_standard {
+        Folder::new("")
+    } else {
+        Folder::of(path)
+    };
+    let loaded = load_text(&file, &bytes, &folder.allow_outside(reading.allow_outside))?;
     for note in &loaded.notes {
         // a note that nobody can read stops nothing
-        let _ = writeln!(io::stderr(), "note: {note}");
+        let _ = writeln!(io::stderr(), "note: {}", printable(note));
     }
     Ok(Input::Scene(Box::new(loaded)))
 }

@@ -3,7 +3,7 @@
 use std::io::{self, Write};
 use std::path::Path;
 
-use raystep::{LightError, LightPass, Recorder, Region, Strategy, check_light};
+use raystep::{LightError, LightPass, Recorder, Region, Strategy, check_light, printable};
 
 use crate::cli::Error;
 use crate::cli::input::{self, Ready};
@@ -20,7 +20,7 @@ pub(crate) fn tell_notes(
     })?;
     for note in notes {
         // a note that nobody can read stops nothing
-        let _ = writeln!(io::stderr(), "note: {note}");
+        let _ = writeln!(io::stderr(), "note: {}", printable(&note));
     }
     Ok(())
 }

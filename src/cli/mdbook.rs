@@ -3,7 +3,7 @@
 use std::io::{self, Write};
 use std::process::ExitCode;
 
-use raystep::preprocess;
+use raystep::{preprocess, printable};
 
 use crate::cli::Error;
 use crate::cli::args::{MdbookArgs, MdbookVerb};
@@ -19,7 +19,7 @@ pub(crate) fn run(args: &MdbookArgs) -> Result<ExitCode, Error> {
     let done = preprocess(io::stdin().lock())?;
     for note in &done.notes {
         // a note that nobody can read stops nothing
-        let _ = writeln!(io::stderr(), "note: {note}");
+        let _ = writeln!(io::stderr(), "note: {}", printable(note));
     }
     Output::standard().write_whole(done.book.as_bytes())?;
     Ok(ExitCode::SUCCESS)

@@ -18,6 +18,7 @@ mod raster;
 mod render;
 mod same_file;
 mod schema;
+mod signals;
 mod stats;
 mod structure_options;
 mod trace;

@@ -1,7 +1,7 @@
 //! Files are written whole or not at all.
 //!
 //! What is written goes to a temporary file beside the target, which takes the target's name at the end.
-//! On an error it is removed, and on Ctrl-C. So an existing file stays until the new one is whole.
+//! On an error it is removed, and when a signal ends the program. So an existing file stays until the new one is whole.
 
 use std::fs::{self, File, OpenOptions};
 use std::io::{self, BufWriter, Write};
@@ -12,14 +12,12 @@ use tempfile::TempPath;
 
 use crate::cli::Error;
 use crate::cli::same_file::Taken;
-
-/// What the shell expects of a program that was interrupted: 128 + the number of SIGINT.
-const INTERRUPTED: i32 = 130;
+use crate::cli::signals::before_the_end;
 
 /// How many bytes are written at once: with less, calls of the system add up.
 const AT_ONCE: usize = 1 << 18;
 
-/// The temporary file that is to be removed when the program is interrupted.
+/// The temporary file that is to be removed when a signal ends the program.
 static UNFINISHED: Mutex<Option<PathBuf>> = Mutex::new(None);
 
 /// Something to write to.
@@ -44,6 +42,27 @@ enum To {
 /// Is this standard output?
 pub(crate) fn is_standard(path: &Path) -> bool {
     path == Path::new("-") || path == Path::new("/dev/stdout")
+}
+
+/// Refuses a file whose ending is that of another format: programs would take it for that. Without an ending, a file may
+/// hold anything.
+pub(crate) fn refuse_ending(path: &Path, what: &str, written: &[&str]) -> Result<(), Error> {
+    let Some(ending) = path.extension() else {
+        return Ok(());
+    };
+    if written
+        .iter()
+        .any(|known| ending.eq_ignore_ascii_case(known))
+    {
+        return Ok(());
+    }
+    let known: Vec<String> = written.iter().map(|known| format!(".{known}")).collect();
+    let known = known.join(" or ");
+    Err(Error::Target {
+        file: path.display().to_string(),
+        what: format!("{what} is not written as .{}", ending.to_string_lossy()),
+        fix: format!("name a file that ends in {known}"),
+    })
 }
 
 impl Output {
@@ -182,16 +201,14 @@ impl Write for Output {
     }
 }
 
-/// An empty file beside the target, which an interruption removes.
+/// An empty file beside the target, which a signal that ends the program removes.
 fn make_temporary(folder: &Path, target: &Path) -> io::Result<(File, TempPath)> {
     static HANDLER: Once = Once::new();
     HANDLER.call_once(|| {
-        // It fails where a signal is ignored already, as under nohup: then the signal stays so.
-        let _ = ctrlc::try_set_handler(|| {
+        before_the_end(|| {
             if let Some(path) = unfinished().take() {
                 let _ = fs::remove_file(path);
             }
-            std::process::exit(INTERRUPTED);
         });
     });
 

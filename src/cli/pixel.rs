@@ -35,7 +35,7 @@ pub(crate) fn run(args: &PixelArgs) -> Result<(), Error> {
         });
     }
     let started = Instant::now();
-    let traced = match input::open(&args.scene)? {
+    let traced = match input::open(&args.scene, &args.reading)? {
         Input::Scene(loaded) => {
             let ready = input::ready(*loaded, &args.tracing, started)?;
             let pixel = inside(args.pixel, &ready.scene)?;

@@ -26,7 +26,7 @@ pub(crate) fn run(args: &RenderArgs) -> Result<(), Error> {
         });
     }
     let started = Instant::now();
-    let ready = match input::open(&args.scene)? {
+    let ready = match input::open(&args.scene, &args.reading)? {
         Input::Scene(loaded) => input::ready(*loaded, &args.tracing, started)?,
         Input::Log(_) => return Err(input::needs_scene(&args.scene, "a picture needs")),
     };
@@ -43,7 +43,10 @@ pub(crate) fn run(args: &RenderArgs) -> Result<(), Error> {
             users: vec!["another --transport".into()],
         });
     }
-    let mut out = Output::create(&args.output, &Taken::by_reading(&args.scene, &ready.files))?;
+    let taken = Taken::by_reading(&args.scene, &ready.files);
+    taken.refuse(&args.output)?;
+    output::refuse_ending(&args.output, "a picture", &["png"])?;
+    let mut out = Output::create(&args.output, &taken)?;
     let started = Instant::now();
     let strategy = ready.strategy()?;
     let times = Times {

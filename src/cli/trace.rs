@@ -30,7 +30,7 @@ pub(crate) fn run(args: &TraceArgs) -> Result<(), Error> {
         });
     }
     let started = Instant::now();
-    match input::open(&args.scene)? {
+    match input::open(&args.scene, &args.reading)? {
         Input::Scene(loaded) => trace(input::ready(*loaded, &args.tracing, started)?, args),
         Input::Log(log) => {
             input::refuse_tracing(&args.scene, &args.tracing)?;

@@ -13,12 +13,12 @@ mod transports;
 mod variants;
 mod worked;
 
+pub use crate::scene::printable;
 pub use advance::{InAdvance, in_advance, in_advance_json, in_advance_text};
 pub use compare::{Compared, Comparison, Cost};
 pub use counts::{counts_json, counts_text};
 pub use json::pixel_json;
 pub(crate) use number::{grouped, shown};
-pub use page::printable;
 pub use transports::{ErrorOf, TransportComparison, TransportCost};
 pub use variants::strategies_to_compare;
 pub use worked::{WorkedOptions, worked_solution};

@@ -2,6 +2,8 @@
 
 use std::fmt;
 
+use crate::scene::printable;
+
 /// What is wrong with a figure's specification, or with the log it is to be drawn from.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct FigureError {
@@ -25,7 +27,7 @@ impl FigureError {
 
 impl fmt::Display for FigureError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}\n  {}", self.what, self.fix)
+        write!(f, "{}\n  {}", printable(&self.what), printable(&self.fix))
     }
 }
 

@@ -1,11 +1,11 @@
 //! What a figure is drawn from: a scene, how it was traced, and what was recorded. It comes from the tracer or from a
 //! saved log, and nothing else enters a figure.
 
-use std::io::{self, Write};
+use std::io::{self, BufRead, Write};
 
 use glam::DVec3;
 
-use crate::scene::Scene;
+use crate::scene::{LONGEST_LINE, ReadEnd, Scene, read_up_to};
 use crate::trace::{
     Event, EventWriter, Kind, LogError, LogNames, LogReader, Record, Settings, write_log_head,
 };
@@ -75,13 +75,13 @@ impl Traced {
     /// Reads the logs of a figure, one behind the other.
     ///
     /// # Errors
-    /// A log that is damaged, or none at all.
-    pub fn read(file: &str, bytes: &[u8]) -> Result<Vec<Self>, LogError> {
+    /// A log that cannot be read or is damaged, or none at all.
+    pub fn read(file: &str, mut input: impl BufRead) -> Result<Vec<Self>, LogError> {
         let mut all = Vec::new();
-        let mut rest = bytes;
-        while !rest.is_empty() || all.is_empty() {
-            let end = next_head(rest);
-            let mut reader = LogReader::open(file, &rest[..end])?;
+        let mut log = Vec::new();
+        loop {
+            let next = next_log(file, &mut input, &mut log)?;
+            let mut reader = LogReader::open(file, &log[..])?;
             let mut records = Vec::new();
             while let Some(record) = reader.next_record()? {
                 records.push(record);
@@ -91,9 +91,11 @@ impl Traced {
                 settings: reader.settings().clone(),
                 records,
             });
-            rest = &rest[end..];
+            if next.is_empty() {
+                return Ok(all);
+            }
+            log = next;
         }
-        Ok(all)
     }
 
     /// The records of one pixel.
@@ -156,18 +158,27 @@ impl Traced {
     }
 }
 
-/// Where the next log begins, or the end.
-fn next_head(bytes: &[u8]) -> usize {
+/// Appends the lines of a log up to the first line of the one behind it, which is given back; empty if there is none.
+fn next_log(file: &str, input: &mut impl BufRead, log: &mut Vec<u8>) -> Result<Vec<u8>, LogError> {
     /// How the writer begins a log.
     const HEAD: &[u8] = b"{\"kind\":\"trace\"";
-    let mut at = 0;
-    while let Some(end) = bytes[at..].iter().position(|&byte| byte == b'\n') {
-        at += end + 1;
-        if bytes[at..].starts_with(HEAD) {
-            return at;
+    let mut line = Vec::new();
+    loop {
+        line.clear();
+        let end = read_up_to(input, b'\n', LONGEST_LINE, &mut line);
+        let end = end.map_err(|source| LogError::Read {
+            file: file.into(),
+            source,
+        })?;
+        if !log.is_empty() && line.starts_with(HEAD) {
+            return Ok(line);
+        }
+        log.extend_from_slice(&line);
+        // what is wrong with a line without an end is told by whoever reads the log
+        if end != ReadEnd::Stop {
+            return Ok(Vec::new());
         }
     }
-    bytes.len()
 }
 
 #[cfg(test)]

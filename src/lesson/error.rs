@@ -4,7 +4,7 @@ use std::fmt;
 use std::io;
 
 use crate::figure::FigureError;
-use crate::scene::{LoadError, Place};
+use crate::scene::{LoadError, Place, printable};
 use crate::trace::LogError;
 
 /// Why a lesson's figure cannot be had.
@@ -49,15 +49,17 @@ impl fmt::Display for LessonError {
                 source: Some(source),
             } => write!(
                 f,
-                "{folder}: the lessons cannot be read: {source}\n  name their folder with --lessons"
+                "{}: the lessons cannot be read: {source}\n  name their folder with --lessons",
+                printable(folder)
             ),
             Self::Folder {
                 folder,
                 source: None,
             } => write!(
                 f,
-                "{folder}: there is no lesson in this folder\n  a lesson is a folder with a lesson.json; name \
-                 the folder around them with --lessons"
+                "{}: there is no lesson in this folder\n  a lesson is a folder with a lesson.json; name \
+                 the folder around them with --lessons",
+                printable(folder)
             ),
             Self::Load(error) => error.fmt(f),
             Self::Log(error) => error.fmt(f),
@@ -69,9 +71,9 @@ impl fmt::Display for LessonError {
             } => {
                 write!(f, "there is no {what} {name:?}")?;
                 match near {
-                    Some(near) => write!(f, "\n  did you mean {near}?"),
+                    Some(near) => write!(f, "\n  did you mean {}?", printable(near)),
                     None if known.is_empty() => write!(f, "\n  there are none here"),
-                    None => write!(f, "\n  there are {}", known.join(", ")),
+                    None => write!(f, "\n  there are {}", printable(&known.join(", "))),
                 }
             }
             Self::Figure { place, error } => write!(f, "{place}: {error}"),

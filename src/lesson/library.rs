@@ -7,7 +7,10 @@ use std::str::FromStr;
 
 use crate::figure::{Drawn, FigureError, FigureSpec, Rendition, Traced, Width, draw};
 use crate::lesson::{LessonError, LessonFile, trace_figure};
-use crate::scene::{LoadError, Loaded, Place, line_of, nearest_name, parse_json};
+use crate::scene::{
+    Folder, LoadError, Loaded, Place, line_of, load_from, nearest_name, parse_json, read_file,
+    text_of,
+};
 
 /// A figure's name: its lesson and its own.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -48,7 +51,8 @@ fn is_word(name: &str) -> bool {
 pub struct Lesson {
     /// The name of its folder.
     pub name: String,
-    folder: PathBuf,
+    path: PathBuf,
+    folder: Folder,
     /// Its file as it was given, and the text, to find the line of a mistake.
     file: String,
     text: String,
@@ -64,11 +68,20 @@ pub struct Library {
 }
 
 impl Library {
-    /// Reads every lesson of a folder: the folders in it that have a `lesson.json`.
+    /// Reads every lesson of a folder: the folders in it that have a `lesson.json`. The scenes of a lesson lie in its
+    /// own folder.
     ///
     /// # Errors
     /// A folder that cannot be read or has no lesson, or a lesson with a mistake.
     pub fn open(folder: &Path) -> Result<Self, LessonError> {
+        Self::open_with(folder, false)
+    }
+
+    /// The same; the scenes of a lesson, and their meshes, may lie anywhere if that is allowed.
+    ///
+    /// # Errors
+    /// As [`Library::open`].
+    pub fn open_with(folder: &Path, allows_outside: bool) -> Result<Self, LessonError> {
         let failed = |source| LessonError::Folder {
             folder: folder.display().to_string(),
             source,
@@ -77,7 +90,7 @@ impl Library {
         for entry in fs::read_dir(folder).map_err(|source| failed(Some(source)))? {
             let path = entry.map_err(|source| failed(Some(source)))?.path();
             if path.join("lesson.json").is_file() {
-                lessons.push(Lesson::read(path)?);
+                lessons.push(Lesson::read(&path, allows_outside)?);
             }
         }
         if lessons.is_empty() {
@@ -135,18 +148,17 @@ impl Library {
 }
 
 impl Lesson {
-    fn read(folder: PathBuf) -> Result<Self, LessonError> {
+    fn read(folder: &Path, allows_outside: bool) -> Result<Self, LessonError> {
         let path = folder.join("lesson.json");
         let file = path.display().to_string();
-        let text = fs::read_to_string(&path).map_err(|source| LoadError::Read {
-            file: file.clone(),
-            source,
-        })?;
+        let bytes = read_file(&path, &file)?;
+        let text = text_of(&file, &bytes, "a lesson is written in JSON")?.to_owned();
         let content: LessonFile = parse_json(&file, &text, "lesson")?;
         let name = folder.file_name().unwrap_or_default();
         let lesson = Self {
             name: name.to_string_lossy().into_owned(),
-            folder,
+            folder: Folder::new(folder).allow_outside(allows_outside),
+            path,
             file,
             text,
             content,
@@ -163,16 +175,22 @@ impl Lesson {
     }
 
     /// The lesson's file.
-    pub fn path(&self) -> PathBuf {
-        self.folder.join("lesson.json")
+    pub fn path(&self) -> &Path {
+        &self.path
     }
 
     /// Reads the scene of a figure of this lesson.
     ///
     /// # Errors
-    /// A scene that cannot be read.
-    pub fn load(&self, spec: &FigureSpec) -> Result<Loaded, LessonError> {
-        Ok(crate::scene::load(&self.folder.join(&spec.scene))?)
+    /// A scene that cannot be read, or lies outside of the lesson's folder, which is not allowed.
+    pub fn load(&self, name: &str, spec: &FigureSpec) -> Result<Loaded, LessonError> {
+        let path = self.folder.path_of(&spec.scene);
+        let path = path.map_err(|_| LoadError::Outside {
+            place: self.place(format!("figures.{name}.scene")),
+            name: spec.scene.clone(),
+        })?;
+        let folder = Folder::of(&path).allow_outside(self.folder.allows_outside());
+        Ok(load_from(&path, &folder)?)
     }
 
     /// Traces what a figure of this lesson is drawn from.
@@ -180,7 +198,7 @@ impl Lesson {
     /// # Errors
     /// A scene that cannot be read, or a specification that does not fit it.
     pub fn trace(&self, name: &str, spec: &FigureSpec) -> Result<Vec<Traced>, LessonError> {
-        self.trace_loaded(name, spec, self.load(spec)?)
+        self.trace_loaded(name, spec, self.load(name, spec)?)
     }
 
     /// The same from the figure's scene.
@@ -232,12 +250,17 @@ impl Lesson {
             "" => format!("figures.{figure}"),
             key => format!("figures.{figure}.{key}"),
         };
-        let place = Box::new(Place {
+        let place = Box::new(self.place(path));
+        LessonError::Figure { place, error }
+    }
+
+    /// Where a value of the file stands.
+    fn place(&self, path: String) -> Place {
+        Place {
             file: self.file.clone(),
             line: line_of(&self.text, &path),
             path,
-        });
-        LessonError::Figure { place, error }
+        }
     }
 }
 

@@ -3,6 +3,7 @@
 use std::fmt;
 
 use crate::geometry::{PolygonError, SlabSetError};
+use crate::scene::printable;
 
 /// The largest magnitude of a coordinate, radius or coefficient: products of six of them, the most
 /// that any test multiplies, stay within f64.
@@ -223,7 +224,13 @@ fn plain(value: f64) -> String {
 
 impl fmt::Display for SceneFault {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}: {}; {}", self.path, self.fault, self.fault.fix())
+        write!(
+            f,
+            "{}: {}; {}",
+            printable(&self.path),
+            self.fault,
+            self.fault.fix()
+        )
     }
 }
 

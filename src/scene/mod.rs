@@ -8,6 +8,7 @@ pub mod file;
 mod light;
 mod load;
 mod object;
+mod printable;
 #[expect(
     clippy::module_inception,
     reason = "the file is found by the name of its idea"
@@ -19,7 +20,12 @@ pub use camera::{Camera, WindowCrossing};
 pub use fault::{DEEPEST, Fault, LARGEST, MOST_PIXELS, SMALLEST, SceneFault};
 pub use file::{Material, Materials, SceneFile};
 pub use light::{Emission, Light, PhongTerm};
-pub use load::{LoadError, Loaded, Place, load, load_bytes};
-pub(crate) use load::{line_of, parse_json};
+pub use load::{
+    Folder, LARGEST_FILE, LONGEST_LINE, LoadError, Loaded, Place, ReadEnd, load, load_bytes,
+    load_from, load_text, read_up_to,
+};
+pub(crate) use load::{gibibytes, line_of, parse_json, read_file, text_of};
 pub use object::{Normals, Object, Primitive, PrimitiveId, Shape};
+pub use printable::printable;
+pub(crate) use printable::{quoted, shortened};
 pub use scene::{Scene, nearest_name};

@@ -3,6 +3,8 @@
 use std::fmt;
 use std::time::Duration;
 
+use crate::scene::printable;
+
 /// Why light cannot be followed.
 #[derive(Clone, Debug, PartialEq)]
 pub enum LightError {
@@ -84,7 +86,8 @@ impl fmt::Display for LightError {
             ),
             Self::Albedo { material, sum } => write!(
                 f,
-                "materials.{material} would send on {sum} times what arrives: energy would grow at every surface"
+                "materials.{} would send on {sum} times what arrives: energy would grow at every surface",
+                printable(material)
             ),
             Self::Inside { light, object } => write!(
                 f,
@@ -137,8 +140,9 @@ impl LightError {
                 "replace lights[{number}].colour by \"power\", in watts, or take --transport hybrid-light"
             ),
             Self::Albedo { material, .. } => format!(
-                "lower diffuse, reflection or transmission of materials.{material}, so that for each channel \
-                 colour·diffuse + reflection + transmission is at most 1"
+                "lower diffuse, reflection or transmission of materials.{}, so that for each channel \
+                 colour·diffuse + reflection + transmission is at most 1",
+                printable(material)
             ),
             Self::Inside { object, .. } => format!(
                 "move the light, or give {object:?} \"sides\": \"back\" to show it from inside"

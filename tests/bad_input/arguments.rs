@@ -201,7 +201,7 @@ fn no_threads_are_told() {
     assert_data_eq!(
         refuses_output("render scene.json --threads 0"),
         str![[r#"
-error: invalid value '0' for '--threads <N>': 0 is not in 1..=65535
+error: invalid value '0' for '--threads <N>': 0 is not in 1..=1024
 
 For more information, try '--help'.
 

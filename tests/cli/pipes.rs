@@ -93,23 +93,45 @@ fn standard_output_has_a_name_among_the_devices() {
     assert!(folder.read("f").starts_with(b"first\n{"));
 }
 
+/// SIGTERM and SIGHUP ended as if they were Ctrl-C, with 130.
 #[cfg(target_os = "linux")]
 #[test]
-fn an_interrupted_command_leaves_no_file() {
+fn a_command_that_a_signal_ends_leaves_no_file_and_tells_which_signal_it_was() {
+    for (signal, code) in [("INT", 130), ("TERM", 143), ("HUP", 129)] {
+        // signals that the test's own caller ignores would be ignored below, too
+        let (folder, mut child) = long_trace("env --default-signal=INT,TERM,HUP");
+        kill(signal, &child);
+        assert_eq!(child.wait().unwrap().code(), Some(code), "{signal}");
+        assert_eq!(folder.names(), ["out.jsonl", "scene.json"], "{signal}");
+        assert_eq!(folder.read("out.jsonl"), b"old", "{signal}");
+    }
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_signal_that_was_ignored_stays_ignored() {
+    let (folder, mut child) = long_trace("env --default-signal=TERM --ignore-signal=HUP");
+    kill("HUP", &child);
+    kill("TERM", &child);
+    assert_eq!(child.wait().unwrap().code(), Some(143));
+    assert_eq!(folder.names(), ["out.jsonl", "scene.json"]);
+}
+
+/// A trace that takes hours, with its temporary file there already.
+#[cfg(target_os = "linux")]
+fn long_trace(env: &str) -> (Folder, std::process::Child) {
     use std::time::{Duration, Instant};
     let folder = Folder::with_scene().with("out.jsonl", "old");
-    // signals that the test's own caller ignores would be ignored below, too
-    let mut command = std::process::Command::new("env");
-    command
-        .arg("--default-signal=INT,TERM,HUP")
-        .arg(super::run::RAYSTEP);
+    let mut words = env.split(' ');
+    let mut command = std::process::Command::new(words.next().unwrap());
+    command.args(words).arg(super::run::RAYSTEP);
     command.args("trace scene.json --pixels 8000,8000 -o out.jsonl".split(' '));
     command.args(["--budget", "1000000000000"]);
     command
         .current_dir(folder.path(""))
         .stdout(Stdio::null())
         .stderr(Stdio::null());
-    let mut child = command.spawn().unwrap();
+    let child = command.spawn().unwrap();
 
     let patience = Instant::now() + Duration::from_secs(60);
     while folder.names().len() < 3 {
@@ -117,11 +139,13 @@ fn an_interrupted_command_leaves_no_file() {
         std::thread::sleep(Duration::from_millis(5));
     }
     assert_eq!(folder.read("out.jsonl"), b"old");
+    (folder, child)
+}
+
+#[cfg(target_os = "linux")]
+fn kill(signal: &str, child: &std::process::Child) {
     let killed = std::process::Command::new("bash")
-        .args(["-c", &format!("kill -TERM {}", child.id())])
+        .args(["-c", &format!("kill -{signal} {}", child.id())])
         .status();
     assert!(killed.unwrap().success());
-    assert_eq!(child.wait().unwrap().code(), Some(130));
-    assert_eq!(folder.names(), ["out.jsonl", "scene.json"]);
-    assert_eq!(folder.read("out.jsonl"), b"old");
 }

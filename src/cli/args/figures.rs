@@ -12,6 +12,9 @@ pub(crate) struct Drawing {
     /// Folder of the lessons
     #[arg(long, value_name = "DIR", default_value = "lessons")]
     pub(crate) lessons: PathBuf,
+    /// Read scenes that lie outside of their lesson's folder
+    #[arg(long)]
+    pub(crate) allow_outside: bool,
     /// For the column of a book, or for a slide of 16 : 9 with large letters
     #[arg(long, value_enum, value_name = "FOR", default_value = "book")]
     pub(crate) width: WidthName,

@@ -1,7 +1,8 @@
 //! The point that a ray meets: where it is, its normal, and ε for what is sent on from it.
 
 use crate::explain::number::Digits;
-use crate::explain::page::{Tone, printable};
+use crate::explain::page::Tone;
+use crate::explain::printable;
 use crate::explain::worked::Solution;
 use crate::explain::worked::steps::Course;
 use crate::geometry::{Axis, mean_value_weights};

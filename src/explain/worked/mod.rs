@@ -33,7 +33,8 @@ mod weight;
 use std::cell::OnceCell;
 use std::collections::BTreeMap;
 
-use crate::explain::page::{Page, Tone, printable};
+use crate::explain::page::{Page, Tone};
+use crate::explain::printable;
 use crate::explain::worked::leaves::Leaves;
 use crate::explain::worked::light_path::KnownPath;
 use crate::explain::worked::search::BUILDING;

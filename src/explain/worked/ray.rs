@@ -2,7 +2,7 @@
 
 use crate::explain::number::Digits;
 use crate::explain::page::Tone;
-use crate::explain::page::printable;
+use crate::explain::printable;
 use crate::explain::worked::Solution;
 use crate::explain::worked::misses::{FOLDED_FROM, LONGEST_UNFOLDED};
 use crate::explain::worked::steps::{Course, Step, Test, steps};

@@ -1,7 +1,8 @@
 //! The title of a solution: which pixel of which scene, and how it was traced.
 
 use crate::explain::number::{Digits, grouped};
-use crate::explain::page::{Tone, printable};
+use crate::explain::page::Tone;
+use crate::explain::printable;
 use crate::explain::worked::{Solution, count};
 use crate::trace::{Settings, StrategyName, Transport};
 

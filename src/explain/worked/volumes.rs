@@ -3,7 +3,8 @@
 use glam::DVec3;
 
 use crate::explain::number::Digits;
-use crate::explain::page::{Tone, printable};
+use crate::explain::page::Tone;
+use crate::explain::printable;
 use crate::explain::worked::Solution;
 use crate::explain::worked::steps::Course;
 use crate::geometry::SlabInterval;

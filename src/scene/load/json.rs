@@ -1,15 +1,15 @@
 //! Scenes in JSON, and the mesh files they name.
 
-use std::path::Path;
-
 use serde::de::DeserializeOwned;
 
 use crate::scene::file::{SceneFile, ShapeFile};
 use crate::scene::load::locate::line_of;
-use crate::scene::load::{Lines, LoadError, Loaded, Place, Source, obj, read, text_of};
+use crate::scene::load::{
+    Folder, Lines, LoadError, Loaded, Place, Source, obj, read_file, text_of,
+};
 
 /// Reads a scene; `folder` is where its mesh files are looked for.
-pub(super) fn read_json(file: &str, text: &str, folder: &Path) -> Result<Loaded, LoadError> {
+pub(super) fn read_json(file: &str, text: &str, folder: &Folder) -> Result<Loaded, LoadError> {
     let mut scene: SceneFile = parse_json(file, text, "scene")?;
     let mut notes = Vec::new();
     let mut files = Vec::new();
@@ -19,13 +19,16 @@ pub(super) fn read_json(file: &str, text: &str, folder: &Path) -> Result<Loaded,
         };
         // a mesh with both keys is left as it is, for the check to refuse
         if let (Some(name), None) = (&mesh.file, &mesh.faces) {
-            let path = folder.join(name);
-            let mesh_file = path.display().to_string();
-            let bytes = read(&path, &mesh_file).map_err(|error| {
-                let at = format!("objects[{i}].shape.mesh.file");
-                unreadable_mesh(file, text, at, &mesh_file, &error)
+            let at = format!("objects[{i}].shape.mesh.file");
+            let path = folder.path_of(name).map_err(|_| LoadError::Outside {
+                place: place_in(file, text, &at),
+                name: name.clone(),
             })?;
-            let faces = obj::read_obj(&mesh_file, text_of(&mesh_file, &bytes)?)?;
+            let mesh_file = path.display().to_string();
+            let bytes = read_file(&path, &mesh_file)
+                .map_err(|error| unreadable_mesh(place_in(file, text, &at), &mesh_file, &error))?;
+            let mesh_text = text_of(&mesh_file, &bytes, "name an OBJ file")?;
+            let faces = obj::read_obj(&mesh_file, mesh_text)?;
             notes.extend(faces.notes);
             mesh.faces = Some(faces.faces);
             mesh.file = None;
@@ -43,24 +46,24 @@ pub(super) fn read_json(file: &str, text: &str, folder: &Path) -> Result<Loaded,
     })
 }
 
+/// The place of a value in the text of a file.
+fn place_in(file: &str, text: &str, path: &str) -> Place {
+    Place {
+        file: file.into(),
+        line: line_of(text, path),
+        path: path.into(),
+    }
+}
+
 /// A mesh file that cannot be read is a mistake of the scene that names it.
-fn unreadable_mesh(
-    file: &str,
-    text: &str,
-    path: String,
-    mesh: &str,
-    error: &LoadError,
-) -> LoadError {
+fn unreadable_mesh(place: Place, mesh: &str, error: &LoadError) -> LoadError {
     let why = match error {
         LoadError::Read { source, .. } => source.to_string(),
+        LoadError::Form { what, .. } => what.clone(),
         other => other.to_string(),
     };
     LoadError::Form {
-        place: Place {
-            file: file.into(),
-            line: line_of(text, &path),
-            path,
-        },
+        place,
         what: format!("the mesh file {mesh:?} cannot be read: {why}"),
         fix: "name an OBJ file; its folder is counted from that of the scene".into(),
     }

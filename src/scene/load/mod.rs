@@ -1,21 +1,27 @@
 //! Reading scenes: JSON, NFF and OBJ, by the file's ending, or by its content from standard input.
 
+mod bounded;
+mod folder;
 mod json;
 mod locate;
 mod nff;
 mod obj;
 mod words;
 
+pub(crate) use bounded::gibibytes;
+pub use bounded::{LARGEST_FILE, LONGEST_LINE, ReadEnd, read_up_to};
+pub use folder::Folder;
 pub(crate) use json::parse_json;
 pub(crate) use locate::line_of;
 
 use std::fmt;
-use std::io;
+use std::fs::File;
+use std::io::{self, BufReader};
 use std::path::{Path, PathBuf};
 
 use crate::scene::fault::Fault;
 use crate::scene::file::SceneFile;
-use crate::scene::{Scene, SceneFault};
+use crate::scene::{Scene, SceneFault, printable};
 
 /// A scene file that has the right form. It may still be changed before [`Loaded::build`] checks it.
 #[derive(Clone, Debug)]
@@ -112,12 +118,12 @@ pub struct Place {
 
 impl fmt::Display for Place {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.file)?;
+        f.write_str(&printable(&self.file))?;
         if let Some(line) = self.line {
             write!(f, ", line {line}")?;
         }
         if !self.path.is_empty() && self.path != "." {
-            write!(f, ", at {}", self.path)?;
+            write!(f, ", at {}", printable(&self.path))?;
         }
         Ok(())
     }
@@ -142,6 +148,13 @@ pub enum LoadError {
         /// What to do about it.
         fix: String,
     },
+    /// A file is named that lies outside of the folder, which is not allowed.
+    Outside {
+        /// Where it is named.
+        place: Place,
+        /// Its name there.
+        name: String,
+    },
     /// The file has the right form, and a value makes no sense.
     Fault {
         /// Where.
@@ -160,9 +173,16 @@ impl fmt::Display for LoadError {
                     io::ErrorKind::IsADirectory => "name a file inside the folder",
                     _ => "check that it is a file you may read",
                 };
-                write!(f, "{file}: cannot be read: {source}\n  {fix}")
+                write!(f, "{}: cannot be read: {source}\n  {fix}", printable(file))
             }
-            Self::Form { place, what, fix } => write!(f, "{place}: {what}\n  {fix}"),
+            Self::Form { place, what, fix } => {
+                write!(f, "{place}: {}\n  {}", printable(what), printable(fix))
+            }
+            Self::Outside { place, name } => write!(
+                f,
+                "{place}: the file {name:?} lies outside of the folder of the file that names it\n  move it there, or \
+                 allow files outside of it"
+            ),
             Self::Fault { place, fault } => write!(f, "{place}: {fault}\n  {}", fault.fix()),
         }
     }
@@ -198,24 +218,40 @@ impl Format {
     }
 }
 
-/// Reads a scene file, and the mesh files that it names.
+/// Reads a scene file, and the mesh files of its folder that it names.
 ///
 /// # Errors
-/// A file that cannot be read or has not the right form, with the line.
+/// A file that cannot be read or has not the right form, with the line; a mesh file outside of the folder.
 pub fn load(path: &Path) -> Result<Loaded, LoadError> {
+    load_from(path, &Folder::of(path))
+}
+
+/// Reads a scene file; its mesh files are looked for in this folder.
+///
+/// # Errors
+/// As [`load`].
+pub fn load_from(path: &Path, folder: &Folder) -> Result<Loaded, LoadError> {
     let file = path.display().to_string();
-    let bytes = read(path, &file)?;
-    let mut loaded = load_bytes(&file, &bytes, path.parent().unwrap_or(Path::new("")))?;
+    let bytes = read_file(path, &file)?;
+    let mut loaded = load_text(&file, &bytes, folder)?;
     loaded.files.push(path.into());
     Ok(loaded)
 }
 
-/// Reads a scene from memory; `folder` is where its mesh files are looked for.
+/// Reads a scene from memory; its mesh files are looked for in this folder, and not outside of it.
 ///
 /// # Errors
 /// As [`load`].
 pub fn load_bytes(file: &str, bytes: &[u8], folder: &Path) -> Result<Loaded, LoadError> {
-    let text = text_of(file, bytes)?;
+    load_text(file, bytes, &Folder::new(folder))
+}
+
+/// Reads a scene from memory; its mesh files are looked for in this folder.
+///
+/// # Errors
+/// As [`load`].
+pub fn load_text(file: &str, bytes: &[u8], folder: &Folder) -> Result<Loaded, LoadError> {
+    let text = text_of(file, bytes, "give a scene in JSON, NFF or OBJ")?;
     match Format::of(file, text) {
         Format::Json => json::read_json(file, text, folder),
         Format::Nff => nff::read_nff(file, text),
@@ -223,16 +259,42 @@ pub fn load_bytes(file: &str, bytes: &[u8], folder: &Path) -> Result<Loaded, Loa
     }
 }
 
-fn read(path: &Path, file: &str) -> Result<Vec<u8>, LoadError> {
-    std::fs::read(path).map_err(|source| LoadError::Read {
+/// Reads a file that ought to be text: up to its end, or to the first byte that no text has.
+///
+/// # Errors
+/// A file that cannot be read, or is larger than any scene.
+pub(crate) fn read_file(path: &Path, file: &str) -> Result<Vec<u8>, LoadError> {
+    /// How many bytes are read at once.
+    const AT_ONCE: usize = 1 << 16;
+    let unreadable = |source| LoadError::Read {
         file: file.into(),
         source,
-    })
+    };
+    let opened = File::open(path).map_err(unreadable)?;
+    let length = opened.metadata().map_or(0, |meta| meta.len());
+    let mut bytes = Vec::with_capacity(length.min(LARGEST_FILE) as usize);
+    let mut input = BufReader::with_capacity(AT_ONCE, opened);
+    match read_up_to(&mut input, 0, LARGEST_FILE, &mut bytes).map_err(unreadable)? {
+        ReadEnd::Limit => Err(too_large(file, "file", LARGEST_FILE)),
+        ReadEnd::Stop | ReadEnd::Zero | ReadEnd::Input => Ok(bytes),
+    }
+}
+
+/// The error that a file or a line of it is larger than any scene.
+fn too_large(file: &str, what: &str, limit: u64) -> LoadError {
+    LoadError::Form {
+        place: Place {
+            file: file.into(),
+            ..Place::default()
+        },
+        what: format!("this {what} has more than {}", gibibytes(limit)),
+        fix: "give a smaller scene".into(),
+    }
 }
 
 /// The bytes as text, without a byte order mark; binary files are told by the line of the first byte
 /// that is none.
-fn text_of<'a>(file: &str, bytes: &'a [u8]) -> Result<&'a str, LoadError> {
+pub(crate) fn text_of<'a>(file: &str, bytes: &'a [u8], fix: &str) -> Result<&'a str, LoadError> {
     let at = match std::str::from_utf8(bytes) {
         Ok(text) => match text.find('\0') {
             Some(at) => at,
@@ -248,6 +310,6 @@ fn text_of<'a>(file: &str, bytes: &'a [u8]) -> Result<&'a str, LoadError> {
             path: String::new(),
         },
         what: "this is not a text file".into(),
-        fix: "give a scene in JSON, NFF or OBJ".into(),
+        fix: fix.into(),
     })
 }

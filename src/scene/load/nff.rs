@@ -15,8 +15,9 @@ use crate::scene::file::{
     SidesFile,
 };
 use crate::scene::load::nff::view::{VIEW, key_and_path};
-use crate::scene::load::words::{Entity, Word, Words, shown, stem};
+use crate::scene::load::words::{Entity, Word, Words, stem};
 use crate::scene::load::{Lines, LoadError, Loaded, Source, Table};
+use crate::scene::quoted;
 
 /// Reads a scene.
 ///
@@ -111,7 +112,7 @@ impl Reader<'_> {
     }
 
     fn no_entity(&self, word: Word<'_>) -> LoadError {
-        let name = shown(word.text);
+        let name = quoted(word.text);
         let (what, fix) = match self.words.before() {
             Some(of) if looks_like_number(word) => (
                 format!(

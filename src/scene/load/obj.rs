@@ -16,8 +16,9 @@ use crate::geometry::{Polygon, PolygonError};
 use crate::scene::check::checked_point;
 use crate::scene::fault::Fault;
 use crate::scene::file::FaceList;
-use crate::scene::load::words::{Entity, Word, form_error, lines, numbers_of, shown, words_of};
+use crate::scene::load::words::{Entity, Word, form_error, lines, numbers_of, words_of};
 use crate::scene::load::{LoadError, Place};
+use crate::scene::{printable, quoted};
 
 /// The faces of an OBJ file.
 #[derive(Debug)]
@@ -115,7 +116,7 @@ impl Reader<'_> {
                 self.materials |= known == "usemtl";
             }
             unknown => {
-                let what = format!("{} is not a keyword of OBJ", shown(unknown));
+                let what = format!("{} is not a keyword of OBJ", quoted(unknown));
                 let fix = "correct it, or put # before the line; a scene is in JSON, NFF or OBJ";
                 return Err(form_error(self.file, line, what, fix));
             }
@@ -216,7 +217,7 @@ impl Reader<'_> {
 
     fn index(&self, corner: Word<'_>, number: &str) -> Result<i64, LoadError> {
         number.parse().map_err(|_| {
-            let what = format!("{} is not a corner of a face", shown(corner.text));
+            let what = format!("{} is not a corner of a face", quoted(corner.text));
             form_error(self.file, corner.line, what, FACE)
         })
     }
@@ -231,6 +232,7 @@ impl Reader<'_> {
     }
 
     fn notes(&self) -> Vec<String> {
+        let file = printable(self.file);
         let mut notes = Vec::new();
         for (n, what) in [
             (self.divided, "is not planar and was cut into triangles"),
@@ -240,16 +242,15 @@ impl Reader<'_> {
             let many = what.replace("is ", "are ").replace("has ", "have ");
             match n {
                 0 => {}
-                1 => notes.push(format!("{}: 1 face {what}", self.file)),
+                1 => notes.push(format!("{file}: 1 face {what}")),
                 _ => notes.push(format!(
-                    "{}: {n} faces {}",
-                    self.file,
+                    "{file}: {n} faces {}",
                     many.replace("was ", "were ")
                 )),
             }
         }
         if self.materials {
-            notes.push(format!("{}: its materials are not read", self.file));
+            notes.push(format!("{file}: its materials are not read"));
         }
         notes
     }

@@ -11,6 +11,7 @@ use std::str::FromStr;
 
 use crate::scene::fault::LARGEST;
 use crate::scene::load::{LoadError, Place};
+use crate::scene::quoted;
 
 /// What stands between white space.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -121,7 +122,7 @@ impl<'a> Words<'a> {
         word.text.parse().map_err(|_| {
             let what = format!(
                 "{} is no whole number, or too large for {}",
-                shown(word.text),
+                quoted(word.text),
                 entity.what
             );
             self.error(word.line, what, entity.form)
@@ -210,16 +211,6 @@ pub(super) fn form_error(
     }
 }
 
-/// A word in quotation marks, without what a terminal would obey, and not too long.
-pub(super) fn shown(word: &str) -> String {
-    /// Longer words are cut: a line of a message holds them.
-    const LONGEST: usize = 40;
-    match word.char_indices().nth(LONGEST) {
-        Some((end, _)) => format!("{:?}…", &word[..end]),
-        None => format!("{word:?}"),
-    }
-}
-
 /// A count with the right one of two words: "1 face", "2 faces".
 pub(super) fn count(count: u64, one: &str, many: &str) -> String {
     format!("{count} {}", if count == 1 { one } else { many })
@@ -235,7 +226,7 @@ pub(super) fn stem(file: &str) -> &str {
 
 /// The number that a word is, or what is wrong with it and what to do; `form` tells what else to do.
 fn number<'a>(word: Word<'_>, form: &'a str) -> Result<f64, (String, Cow<'a, str>)> {
-    let name = shown(word.text);
+    let name = quoted(word.text);
     match word.text.parse::<f64>() {
         Ok(value) if value.is_finite() => Ok(value),
         Ok(_) => Err((
@@ -325,12 +316,6 @@ mod tests {
             let whole = Words::new("a", word).whole::<u8>(&sphere()).ok();
             assert_eq!(whole, value, "{word}");
         }
-    }
-
-    #[test]
-    fn long_words_and_control_characters_are_not_printed() {
-        assert_eq!(shown("\u{1b}[2J"), "\"\\u{1b}[2J\"");
-        assert_eq!(shown(&"é".repeat(99)), format!("\"{}\"…", "é".repeat(40)));
     }
 
     #[test]

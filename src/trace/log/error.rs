@@ -3,7 +3,7 @@
 use std::fmt;
 use std::io;
 
-use crate::scene::SceneFault;
+use crate::scene::{SceneFault, printable};
 use crate::trace::log::writer::LOG_VERSION;
 
 /// Why a log could not be read: what, where, and what to do about it.
@@ -53,17 +53,20 @@ impl fmt::Display for LogError {
         match self {
             Self::Read { file, source } => write!(
                 f,
-                "{file}: cannot be read: {source}\n  check that it is a file you may read"
+                "{}: cannot be read: {source}\n  check that it is a file you may read",
+                printable(file)
             ),
             Self::NoLog { file } => write!(
                 f,
-                "{file}: this is no log: the first line has no \"kind\":\"trace\"\n  \
-                 make one with 'raystep trace'"
+                "{}: this is no log: the first line has no \"kind\":\"trace\"\n  \
+                 make one with 'raystep trace'",
+                printable(file)
             ),
             Self::Version { file, found } => write!(
                 f,
-                "{file}, line 1: the log has version {found}, and this program reads version \
-                 {LOG_VERSION}\n  make the log again with this program"
+                "{}, line 1: the log has version {found}, and this program reads version \
+                 {LOG_VERSION}\n  make the log again with this program",
+                printable(file)
             ),
             Self::Line {
                 file,
@@ -71,19 +74,21 @@ impl fmt::Display for LogError {
                 column,
                 what,
             } => {
-                write!(f, "{file}, line {line}")?;
+                write!(f, "{}, line {line}", printable(file))?;
                 if let Some(column) = column {
                     write!(f, ", column {column}")?;
                 }
                 write!(
                     f,
-                    ": {what}\n  the log is damaged: make it again with 'raystep trace'"
+                    ": {}\n  the log is damaged: make it again with 'raystep trace'",
+                    printable(what)
                 )
             }
             Self::Scene { file, fault } => write!(
                 f,
-                "{file}: the scene in the log: {}: {}\n  {}",
-                fault.path,
+                "{}: the scene in the log: {}: {}\n  {}",
+                printable(file),
+                printable(&fault.path),
                 fault.fault,
                 fault.fault.fix()
             ),

@@ -4,6 +4,7 @@ use std::io::{self, BufRead};
 
 use memchr::memchr;
 
+use crate::scene::{LONGEST_LINE, ReadEnd, gibibytes, read_up_to};
 use crate::trace::LogError;
 use crate::trace::log::line_reader::Damage;
 
@@ -93,16 +94,18 @@ impl<R: BufRead> LogLines<R> {
     fn copy_line(&mut self) -> Result<Option<&[u8]>, LogError> {
         self.last = LastLine::Copied;
         self.copied.clear();
-        let read = self.input.read_until(b'\n', &mut self.copied);
-        read.map_err(|error| unreadable(&self.file, error))?;
-        if self.copied.is_empty() {
-            return Ok(None);
-        }
-        if self.copied.pop() != Some(b'\n') {
-            let what = "the line has no end: the log was cut off here";
-            return Err(self.damaged(Damage::new(what)));
-        }
-        Ok(Some(&self.copied))
+        let read = read_up_to(&mut self.input, b'\n', LONGEST_LINE, &mut self.copied);
+        let what = match read.map_err(|error| unreadable(&self.file, error))? {
+            ReadEnd::Stop => {
+                self.copied.pop();
+                return Ok(Some(&self.copied));
+            }
+            ReadEnd::Input if self.copied.is_empty() => return Ok(None),
+            ReadEnd::Input => "the line has no end: the log was cut off here".into(),
+            ReadEnd::Zero => "the line has a byte 0, which no text has".into(),
+            ReadEnd::Limit => format!("the line has more than {}", gibibytes(LONGEST_LINE)),
+        };
+        Err(self.damaged(Damage::new(what)))
     }
 }
 
@@ -146,5 +149,15 @@ mod tests {
             let expected = "log, line 2: the line has no end: the log was cut off here";
             assert!(error.starts_with(expected), "{error}");
         }
+    }
+
+    #[test]
+    fn a_line_that_goes_on_for_ever_is_told() {
+        let input = BufReader::new(io::Read::chain(&b"one\n"[..], io::repeat(0)));
+        let mut lines = LogLines::new("log", input);
+        assert!(lines.next().is_ok());
+        let error = lines.next().unwrap_err().to_string();
+        let expected = "log, line 2: the line has a byte 0, which no text has\n";
+        assert!(error.starts_with(expected), "{error}");
     }
 }
