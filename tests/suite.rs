@@ -10,6 +10,7 @@ mod exact;
 mod figures;
 mod grid_exact;
 mod layers;
+mod mutations;
 mod polygon_exact;
 mod polygon_tilings;
 mod published_counts;
