@@ -5,7 +5,8 @@ use std::io;
 
 use clap::error::{ContextKind, ContextValue};
 use raystep::{
-    BookError, Fault, GridError, LessonError, LightError, LoadError, LogError, Region, Stopped, StructureError, Transport, printable,
+    BookError, Fault, GridError, LessonError, LightError, LoadError, LogError, Region, Stopped,
+    StructureError, Transport, printable,
 };
 
 /// Why a command did not do what it was asked to.

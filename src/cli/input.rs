@@ -6,7 +6,8 @@ use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
 use raystep::{
-    Chosen, Fault, Folder, LoadError, Loaded, LogReader, ReadEnd, Scene, Settings, Stopped, LARGEST_FILE, LONGEST_LINE, MAX_RAYS, begins_log, load_bytes, load_text, printable, read_up_to,
+    Chosen, Fault, Folder, LARGEST_FILE, LONGEST_LINE, LoadError, Loaded, LogReader, MAX_RAYS,
+    ReadEnd, Scene, Settings, Stopped, begins_log, load_text, printable, read_up_to,
 };
 
 use crate::cli::Error;
