@@ -102,13 +102,7 @@ impl Polygon {
     /// Fewer than three vertices, no area, a vertex further off the plane than 10⁻⁵ of the size, or
     /// normals that do not fit.
     pub fn new(vertices: Vec<DVec3>, normals: Option<Vec<DVec3>>) -> Result<Self, PolygonError> {
-        if vertices.len() < 3 {
-            return Err(PolygonError::TooFewVertices {
-                count: vertices.len(),
-            });
-        }
-        let plane = Plane::newell(&vertices).ok_or(PolygonError::NoArea)?;
-        let off_plane = planarity(&plane, &vertices)?;
+        let (plane, off_plane) = Self::plane_of(&vertices)?;
         let dropped = Axis::of_largest(plane.normal);
         let normals = normals
             .map(|normals| unit_normals(normals, vertices.len()))
@@ -118,6 +112,22 @@ impl Polygon {
             off_plane,
             corners: Corners::new(vertices, normals, dropped),
         })
+    }
+
+    /// Returns the plane of an outline, and how far its vertices lie off it, rounding included: what
+    /// [`Polygon::new`] checks of the vertices, without a polygon.
+    ///
+    /// # Errors
+    /// Fewer than three vertices, no area, or a vertex further off the plane than 10⁻⁵ of the size.
+    pub(crate) fn plane_of(vertices: &[DVec3]) -> Result<(Plane, f64), PolygonError> {
+        if vertices.len() < 3 {
+            return Err(PolygonError::TooFewVertices {
+                count: vertices.len(),
+            });
+        }
+        let plane = Plane::newell(vertices).ok_or(PolygonError::NoArea)?;
+        let off_plane = planarity(&plane, vertices)?;
+        Ok((plane, off_plane))
     }
 
     /// The vertices, in order.

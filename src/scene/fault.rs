@@ -85,9 +85,9 @@ pub enum Fault {
 
 impl Fault {
     /// This fault at a place.
-    pub(crate) fn at(self, path: impl Into<String>) -> SceneFault {
+    pub(crate) fn at(self, path: impl fmt::Display) -> SceneFault {
         SceneFault {
-            path: path.into(),
+            path: path.to_string(),
             fault: self,
         }
     }

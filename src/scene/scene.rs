@@ -1,6 +1,7 @@
 //! The scene as the tracer sees it: checked, and with everything constant computed in advance.
 
 use std::collections::HashMap;
+use std::fmt;
 
 use glam::DVec3;
 
@@ -75,7 +76,7 @@ impl Scene {
             if let Some((_, fault)) = wrong_name.as_ref().filter(|(wrong, _)| *wrong == i) {
                 return Err(fault.clone());
             }
-            scene.add(&format!("objects[{i}]"), object)?;
+            scene.add(format_args!("objects[{i}]"), object)?;
             // an eighth at a time, so that a list that moves when it shrinks moves seldom
             if waiting.len() <= waiting.capacity() / 8 * 7 {
                 waiting.shrink_to_fit();
@@ -166,7 +167,7 @@ impl Scene {
         }
     }
 
-    fn add(&mut self, path: &str, file: ObjectFile) -> Result<(), SceneFault> {
+    fn add(&mut self, path: fmt::Arguments<'_>, file: ObjectFile) -> Result<(), SceneFault> {
         let material = self.material_named(path, &file.material)?;
         let first = PrimitiveId(self.primitives.len() as u32);
         let is_mesh = matches!(file.shape, ShapeFile::Mesh(_));
@@ -179,7 +180,7 @@ impl Scene {
                 sides,
             });
         };
-        shapes(&format!("{path}.shape"), file.shape, &mut add)?;
+        shapes(format_args!("{path}.shape"), file.shape, &mut add)?;
         self.objects.push(Object {
             name: file.name,
             material,
@@ -191,7 +192,7 @@ impl Scene {
         Ok(())
     }
 
-    fn material_named(&self, path: &str, name: &str) -> Result<u32, SceneFault> {
+    fn material_named(&self, path: fmt::Arguments<'_>, name: &str) -> Result<u32, SceneFault> {
         let known = || self.materials.0.iter().map(|(known, _)| known.as_str());
         if let Some(index) = known().position(|known| known == name) {
             return Ok(index as u32);
@@ -200,7 +201,7 @@ impl Scene {
             name: name.into(),
             nearest: nearest_name(name, known()),
         };
-        Err(fault.at(format!("{path}.material")))
+        Err(fault.at(format_args!("{path}.material")))
     }
 }
 
@@ -260,7 +261,7 @@ fn wrong_name<'a>(
 fn materials(file: Materials) -> Result<Materials, SceneFault> {
     for (name, material) in &file.0 {
         let path = |key: &str| format!("materials.{name}.{key}");
-        checked_colour(&path("colour"), material.colour)?;
+        checked_colour(path("colour"), material.colour)?;
         for (key, what, value) in [
             ("diffuse", "the diffuse coefficient", material.diffuse),
             ("specular", "the specular coefficient", material.specular),
@@ -268,9 +269,9 @@ fn materials(file: Materials) -> Result<Materials, SceneFault> {
             ("reflection", "the reflection", material.reflection),
             ("transmission", "the transmission", material.transmission),
         ] {
-            checked_weight(&path(key), what, value)?;
+            checked_weight(path(key), what, value)?;
         }
-        checked_positive(&path("index"), "the index of refraction", material.index)?;
+        checked_positive(path("index"), "the index of refraction", material.index)?;
     }
     Ok(file)
 }
@@ -290,11 +291,11 @@ fn lights(mut files: Vec<LightFile>) -> Result<Vec<Light>, SceneFault> {
         }
         let emission = match (file.colour, file.power) {
             (Some(colour), None) => {
-                Emission::Colour(checked_colour(&format!("{path}.colour"), colour)?)
+                Emission::Colour(checked_colour(format_args!("{path}.colour"), colour)?)
             }
             (None, Some(power)) => {
-                let at = format!("{path}.power");
-                Emission::Power(checked_positive(&at, "the power", power)?)
+                let at = format_args!("{path}.power");
+                Emission::Power(checked_positive(at, "the power", power)?)
             }
             (colour, _) => {
                 let both = colour.is_some();
@@ -307,7 +308,7 @@ fn lights(mut files: Vec<LightFile>) -> Result<Vec<Light>, SceneFault> {
                 .at(path));
             }
         };
-        let position = checked_point(&format!("{path}.position"), file.position)?;
+        let position = checked_point(format_args!("{path}.position"), file.position)?;
         lights.push(Light {
             name: file.name,
             position,
@@ -327,7 +328,7 @@ fn slabs(file: Vec<Vec<f64>>) -> Result<Vec<DVec3>, SceneFault> {
             [a, b, c] if !in_plane => [a, b, c],
             _ => return Err(Fault::SlabDirection { in_plane }.at(format!("slabs[{i}]"))),
         };
-        directions.push(checked_point(&format!("slabs[{i}]"), normal)?);
+        directions.push(checked_point(format_args!("slabs[{i}]"), normal)?);
     }
     if in_plane {
         directions.push(DVec3::Z);

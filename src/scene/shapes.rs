@@ -1,5 +1,7 @@
 //! Shapes from the file into primitives, each checked, and back.
 
+use std::fmt;
+
 use glam::DVec3;
 
 use crate::geometry::{AxisBox, Cone, Ellipsoid, Polygon, Sphere};
@@ -10,30 +12,30 @@ use crate::scene::file::{MeshFile, PolygonFile, ShapeFile};
 
 /// The primitives of a shape, one after the other.
 pub(super) fn shapes(
-    path: &str,
+    path: fmt::Arguments<'_>,
     file: ShapeFile,
     add: &mut impl FnMut(Shape),
 ) -> Result<(), SceneFault> {
     match file {
         ShapeFile::Sphere { center, radius } => {
-            let center = checked_point(&format!("{path}.sphere.center"), center)?;
-            let at = format!("{path}.sphere.radius");
-            let radius = checked_positive(&at, "the radius", radius)?;
+            let center = checked_point(format_args!("{path}.sphere.center"), center)?;
+            let at = format_args!("{path}.sphere.radius");
+            let radius = checked_positive(at, "the radius", radius)?;
             add(Shape::Sphere(Sphere { center, radius }));
         }
         ShapeFile::Ellipsoid { center, radii } => {
-            let center = checked_point(&format!("{path}.ellipsoid.center"), center)?;
+            let center = checked_point(format_args!("{path}.ellipsoid.center"), center)?;
             for (i, &radius) in radii.iter().enumerate() {
-                let at = format!("{path}.ellipsoid.radii[{i}]");
-                checked_positive(&at, "the radius", radius)?;
+                let at = format_args!("{path}.ellipsoid.radii[{i}]");
+                checked_positive(at, "the radius", radius)?;
             }
             let radii = radii.into();
             add(Shape::Ellipsoid(Ellipsoid { center, radii }));
         }
         ShapeFile::Box { min, max } => {
-            let path = format!("{path}.box");
-            let low = checked_point(&format!("{path}.min"), min)?;
-            let high = checked_point(&format!("{path}.max"), max)?;
+            let path = format_args!("{path}.box");
+            let low = checked_point(format_args!("{path}.min"), min)?;
+            let high = checked_point(format_args!("{path}.max"), max)?;
             for (axis, (min, max)) in ['x', 'y', 'z'].into_iter().zip(min.into_iter().zip(max)) {
                 if max <= min {
                     return Err(Fault::BoxWithoutVolume { axis, min, max }.at(path));
@@ -50,11 +52,12 @@ pub(super) fn shapes(
             apex,
             apex_radius,
         } => {
-            let path = format!("{path}.cone");
-            let base = checked_point(&format!("{path}.base"), base)?;
-            let apex = checked_point(&format!("{path}.apex"), apex)?;
-            let radius =
-                |key: &str, value| checked_weight(&format!("{path}.{key}"), "the radius", value);
+            let path = format_args!("{path}.cone");
+            let base = checked_point(format_args!("{path}.base"), base)?;
+            let apex = checked_point(format_args!("{path}.apex"), apex)?;
+            let radius = |key: &str, value| {
+                checked_weight(format_args!("{path}.{key}"), "the radius", value)
+            };
             let base_radius = radius("base_radius", base_radius)?;
             let apex_radius = radius("apex_radius", apex_radius)?;
             let cone = Cone::new(base, base_radius, apex, apex_radius);
@@ -62,7 +65,7 @@ pub(super) fn shapes(
         }
         ShapeFile::Polygon(file) => {
             let normals = file.normals.as_deref();
-            let polygon = polygon(&file.vertices, normals, || format!("{path}.polygon"))?;
+            let polygon = polygon(&file.vertices, normals, format_args!("{path}.polygon"))?;
             add(Shape::Polygon(polygon));
         }
         ShapeFile::Mesh(MeshFile {
@@ -70,14 +73,14 @@ pub(super) fn shapes(
             faces: Some(faces),
         }) => {
             for (i, face) in faces.iter().enumerate() {
-                let at = || format!("{path}.mesh.faces[{i}]");
+                let at = format_args!("{path}.mesh.faces[{i}]");
                 add(Shape::Polygon(polygon(face.vertices, face.normals, at)?));
             }
         }
         ShapeFile::Mesh(MeshFile {
             file: Some(file),
             faces: None,
-        }) => return Err(Fault::MeshNotLoaded { file }.at(format!("{path}.mesh"))),
+        }) => return Err(Fault::MeshNotLoaded { file }.at(format_args!("{path}.mesh"))),
         ShapeFile::Mesh(MeshFile { file, .. }) => {
             let both = file.is_some();
             let (first, second) = ("file", "faces");
@@ -86,27 +89,27 @@ pub(super) fn shapes(
                 second,
                 both,
             }
-            .at(format!("{path}.mesh")));
+            .at(format_args!("{path}.mesh")));
         }
     }
     Ok(())
 }
 
-/// A polygon, checked; `at` tells where it stands, if there is a mistake in it.
+/// A polygon, checked; `at` is where it stands, for the error.
 fn polygon(
     vertices: &[[f64; 3]],
     normals: Option<&[[f64; 3]]>,
-    at: impl Fn() -> String,
+    at: fmt::Arguments<'_>,
 ) -> Result<Polygon, SceneFault> {
     let points = |list: &[[f64; 3]]| -> Result<Vec<DVec3>, SceneFault> {
         for &value in list.as_flattened() {
-            checked("", value).map_err(|wrong| wrong.fault.at(at()))?;
+            checked("", value).map_err(|wrong| wrong.fault.at(at))?;
         }
         Ok(list.iter().map(|&point| point.into()).collect())
     };
     let vertices = points(vertices)?;
     let normals = normals.map(points).transpose()?;
-    Polygon::new(vertices, normals).map_err(|error| Fault::Polygon(error).at(at()))
+    Polygon::new(vertices, normals).map_err(|error| Fault::Polygon(error).at(at))
 }
 
 /// A shape as a file has it.

@@ -8,7 +8,7 @@ mod framed;
 
 pub(super) use framed::read_obj_scene;
 
-use std::iter;
+use std::{iter, mem};
 
 use glam::DVec3;
 
@@ -72,6 +72,8 @@ struct Reader<'a> {
     vertices: Vec<[f64; 3]>,
     normals: Vec<[f64; 3]>,
     faces: FaceList,
+    /// Room for the vertices and the normals of one face.
+    corners: (Vec<DVec3>, Vec<DVec3>),
     /// How many faces have no area.
     flat: u64,
     /// How many faces were divided into triangles.
@@ -139,8 +141,10 @@ impl Reader<'_> {
     }
 
     fn face(&mut self, line: usize, corners: &[Word<'_>]) -> Result<(), LoadError> {
-        let mut vertices = Vec::with_capacity(corners.len());
-        let mut normals = Vec::new();
+        // taken out and put back: a list of their own for each of a million faces takes time
+        let (mut vertices, mut normals) = mem::take(&mut self.corners);
+        vertices.clear();
+        normals.clear();
         for &corner in corners {
             let mut numbers = corner.text.splitn(3, '/');
             let vertex = numbers.next().unwrap_or_default();
@@ -166,14 +170,18 @@ impl Reader<'_> {
             normals.clear();
         }
         self.add(&vertices, &normals)
-            .map_err(|error| self.fault(line, Fault::Polygon(error)))
+            .map_err(|error| self.fault(line, Fault::Polygon(error)))?;
+        self.corners = (vertices, normals);
+        Ok(())
     }
 
     /// Keeps a face, divides it or leaves it out.
     fn add(&mut self, vertices: &[DVec3], normals: &[DVec3]) -> Result<(), PolygonError> {
-        let smooth = (!normals.is_empty()).then_some(normals);
-        match Polygon::new(vertices.to_vec(), smooth.map(<[_]>::to_vec)) {
-            Ok(_) => self.faces.push(vertices, smooth),
+        match Polygon::plane_of(vertices) {
+            Ok(_) => {
+                let smooth = (!normals.is_empty()).then_some(normals);
+                self.faces.push(vertices, smooth);
+            }
             Err(PolygonError::NotPlanar { .. }) if 3 < vertices.len() => {
                 self.divided += 1;
                 for (triangle, normals) in

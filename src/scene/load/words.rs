@@ -226,15 +226,14 @@ pub(super) fn stem(file: &str) -> &str {
 
 /// The number that a word is, or what is wrong with it and what to do; `form` tells what else to do.
 fn number<'a>(word: Word<'_>, form: &'a str) -> Result<f64, (String, Cow<'a, str>)> {
-    let name = quoted(word.text);
     match word.text.parse::<f64>() {
         Ok(value) if value.is_finite() => Ok(value),
         Ok(_) => Err((
-            format!("{name} is not a finite number"),
+            format!("{} is not a finite number", quoted(word.text)),
             format!("give a number within ±{LARGEST:e}").into(),
         )),
         Err(_) => Err((
-            format!("{name} is not a number"),
+            format!("{} is not a number", quoted(word.text)),
             match word.text.replace(',', ".").parse::<f64>() {
                 Ok(_) => "write the decimal point as a point".into(),
                 Err(_) => form.into(),

@@ -71,8 +71,17 @@ pub(crate) fn mesh(count: usize) -> Objects {
     Objects::Mesh(vertices.collect(), faces.collect())
 }
 
-/// The same objects as a scene of raystep, to the bit: a number is written so that it is read back unchanged.
+/// The same objects as a scene of raystep, to the bit.
 pub(crate) fn scene(objects: &Objects) -> Scene {
+    let (name, text) = text_of(objects);
+    let loaded = raystep::load_bytes(name, text.as_bytes(), Path::new("")).expect("valid text");
+    drop(text);
+    loaded.build().expect("a valid scene")
+}
+
+/// The same objects as a file, spheres in NFF and a mesh in OBJ: its name and its text, in which a number is written
+/// so that it is read back unchanged.
+pub(crate) fn text_of(objects: &Objects) -> (&'static str, String) {
     let mut text = String::new();
     let name = match objects {
         Objects::Spheres(spheres) => {
@@ -95,9 +104,7 @@ pub(crate) fn scene(objects: &Objects) -> Scene {
             "mesh.obj"
         }
     };
-    let loaded = raystep::load_bytes(name, text.as_bytes(), Path::new("")).expect("valid text");
-    drop(text);
-    loaded.build().expect("a valid scene")
+    (name, text)
 }
 
 /// The rays of an eye before the cube, side × side of them.
