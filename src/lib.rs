@@ -59,9 +59,9 @@ pub mod tracer;
 
 pub use book::{BookError, BookMistake, BookOptions, Preprocessed, preprocess};
 pub use explain::{
-    Compared, Comparison, Cost, ErrorOf, InAdvance, TransportComparison, TransportCost,
-    WorkedOptions, counts_json, counts_text, in_advance, in_advance_json, in_advance_text,
-    pixel_json, strategies_to_compare, worked_solution,
+    Compared, Comparison, Cost, CrowdedCell, ErrorOf, InAdvance, TransportComparison,
+    TransportCost, WorkedOptions, counts_json, counts_text, grouped, in_advance, in_advance_json,
+    in_advance_text, pixel_json, strategies_to_compare, strategy_title, worked_solution,
 };
 pub use figure::{
     Drawn, DroppedAxis, FigureError, FigureKind, FigureSpec, Layer, OF_EVERY_PIXEL, Raster,

@@ -88,10 +88,10 @@ fn directions(scene: &Scene, settings: &Settings) -> u64 {
     }
 }
 
-/// One line for each: `plane equations: computed 21 times instead of 403 200: 403 179 saved`.
+/// One line for each that was used: `plane equations: computed 21 times instead of 403 200: 403 179 saved`.
 pub fn in_advance_text(list: &[InAdvance]) -> String {
     let mut text = String::new();
-    for item in list {
+    for item in list.iter().filter(|item| 0 < item.used) {
         let computed = times(item.computed);
         let line = match item.saved() {
             0 => format!("computed {computed}, used {}", times(item.used)),
@@ -140,10 +140,10 @@ mod tests {
             used,
         };
         assert_eq!(
-            in_advance_text(&[item(21, 403_200), item(1, 1), item(3, 0)]),
+            in_advance_text(&[item(21, 403_200), item(1, 1), item(3, 0), item(3, 2)]),
             "plane equations: computed 21 times instead of 403 200: 403 179 saved\n\
              plane equations: computed once, used once\n\
-             plane equations: computed 3 times, used 0 times\n"
+             plane equations: computed 3 times, used 2 times\n"
         );
     }
 }

@@ -8,11 +8,9 @@ use std::time::Duration;
 use serde_json::{Value, json};
 
 use crate::explain::counts::tests_of;
-use crate::explain::table::{aligned, csv_row};
-use crate::explain::variants::variant_name;
-use crate::explain::{
-    counts_json, grouped, in_advance, in_advance_json, in_advance_text, printable,
-};
+use crate::explain::table::csv_row;
+use crate::explain::variants::strategy_title;
+use crate::explain::{CrowdedCell, counts_json, grouped, in_advance, in_advance_json, printable};
 use crate::scene::Scene;
 use crate::structure::StructureError;
 use crate::trace::{Counts, Settings, StrategyName};
@@ -44,6 +42,8 @@ pub struct Cost {
     pub counts: Counts,
     /// The memory of the structure.
     pub bytes: usize,
+    /// The fullest cell of the grid, if it lists most objects.
+    pub crowded: Option<CrowdedCell>,
     /// How long the structure took to build.
     pub building: Duration,
     /// How long the rays took, counting included.
@@ -53,7 +53,7 @@ pub struct Cost {
 impl Compared {
     /// The strategy and what makes the variant, as in `hierarchy, insertion`.
     pub fn name(&self) -> String {
-        variant_name(&self.settings)
+        strategy_title(&self.settings)
     }
 }
 
@@ -62,6 +62,12 @@ impl Cost {
     pub fn searched(&self) -> u64 {
         let search = &self.counts.search;
         search.bounds.tests + search.entered + search.cells
+    }
+
+    /// Object tests and what it took to find these objects: what strategies are ordered by. The same comparison
+    /// gives the same number, which a time does not.
+    pub fn total(&self) -> u64 {
+        self.counts.objects_tested() + self.searched()
     }
 }
 
@@ -98,7 +104,7 @@ impl Comparison<'_> {
     }
 
     /// The share of the exhaustive count in percent; `None` if that is 0.
-    fn share(&self, cost: &Cost) -> Option<f64> {
+    pub(super) fn share(&self, cost: &Cost) -> Option<f64> {
         let all = self.exhaustive().filter(|all| 0 < *all)?;
         Some(cost.counts.objects_tested() as f64 / all as f64 * 100.0)
     }
@@ -131,7 +137,7 @@ impl Comparison<'_> {
     }
 
     /// The columns of which the table shows something: a kind of test that was not made is left out.
-    fn columns(&self) -> Vec<usize> {
+    pub(super) fn columns(&self) -> Vec<usize> {
         let occurs = |column: &usize| {
             let kind = column.checked_sub(KINDS);
             let Some(&kind) = kind.and_then(|kind| Counts::TESTS.get(kind)) else {
@@ -167,13 +173,18 @@ impl Comparison<'_> {
     pub fn rows(&self) -> Vec<Vec<String>> {
         let mut columns = self.columns();
         columns.retain(|&column| COLUMNS[column].1 != "build_seconds");
-        self.table(&columns)
+        self.table(&columns, self.compared.iter())
     }
 
-    fn table(&self, columns: &[usize]) -> Vec<Vec<String>> {
+    /// The columns over these strategies, in this order.
+    pub(super) fn table<'b>(
+        &self,
+        columns: &[usize],
+        compared: impl Iterator<Item = &'b Compared>,
+    ) -> Vec<Vec<String>> {
         let mut table = vec![vec!["strategy".to_owned()]];
         table[0].extend(columns.iter().map(|&column| COLUMNS[column].0.into()));
-        for compared in &self.compared {
+        for compared in compared {
             let mut row = vec![compared.name()];
             match &compared.cost {
                 Ok(cost) => {
@@ -185,35 +196,6 @@ impl Comparison<'_> {
             table.push(row);
         }
         table
-    }
-
-    /// The table, and what was computed in advance.
-    pub fn text(&self) -> String {
-        let table = self.table(&self.columns());
-        let advance = self.in_advance_lines();
-        let mut text = format!("{}\n\n{}", self.title(), aligned(&table));
-        if !advance.is_empty() {
-            text += "\ncomputed in advance\n";
-            text += &advance.join("\n");
-            text.push('\n');
-        }
-        text
-    }
-
-    /// Each strategy for which something was computed in advance, and under it what.
-    fn in_advance_lines(&self) -> Vec<String> {
-        let mut lines = Vec::new();
-        for compared in &self.compared {
-            let Ok(cost) = &compared.cost else { continue };
-            let list = in_advance(self.scene, &compared.settings, &cost.counts);
-            if list.is_empty() {
-                continue;
-            }
-            lines.push(format!("  {}", compared.name()));
-            let told = in_advance_text(&list);
-            lines.extend(told.lines().map(|line| format!("    {line}")));
-        }
-        lines
     }
 
     /// Everything as JSON, with the full counts of each strategy.
@@ -242,6 +224,9 @@ impl Comparison<'_> {
                         entry["share_percent"] = share.into();
                     }
                     entry["bytes"] = cost.bytes.into();
+                    if let Some(crowded) = &cost.crowded {
+                        entry["crowded_cell"] = crowded.json();
+                    }
                     entry["seconds"] = json!({
                         "building": cost.building.as_secs_f64(),
                         "tracing": cost.tracing.as_secs_f64(),
@@ -295,12 +280,12 @@ impl Comparison<'_> {
 }
 
 /// How many objects a ray was tested against, on average.
-fn per_ray(counts: &Counts) -> f64 {
+pub(super) fn per_ray(counts: &Counts) -> f64 {
     // a picture without rays does not exist; 0 would still be right for it
     counts.objects_tested() as f64 / counts.traced().max(1) as f64
 }
 
 /// What is wrong and what to do about it, which stand on two lines elsewhere.
-fn in_one_line(why: &StructureError) -> String {
+pub(super) fn in_one_line(why: &StructureError) -> String {
     why.to_string().replace("\n  ", "; ")
 }

@@ -4,7 +4,9 @@
 
 mod advance;
 mod compare;
+mod compare_text;
 mod counts;
+mod crowded;
 mod json;
 mod number;
 mod page;
@@ -17,8 +19,10 @@ pub use crate::scene::printable;
 pub use advance::{InAdvance, in_advance, in_advance_json, in_advance_text};
 pub use compare::{Compared, Comparison, Cost};
 pub use counts::{counts_json, counts_text};
+pub use crowded::CrowdedCell;
 pub use json::pixel_json;
-pub(crate) use number::{grouped, shown};
+pub use number::grouped;
+pub(crate) use number::shown;
 pub use transports::{ErrorOf, TransportComparison, TransportCost};
-pub use variants::strategies_to_compare;
+pub use variants::{strategies_to_compare, strategy_title};
 pub use worked::{WorkedOptions, worked_solution};

@@ -113,7 +113,7 @@ pub(crate) fn shown(x: f64, digits: u32) -> String {
 }
 
 /// A count with its digits in groups of three, as in 104 857 600.
-pub(crate) fn grouped(count: u64) -> String {
+pub fn grouped(count: u64) -> String {
     let digits = count.to_string();
     let mut text = String::with_capacity(digits.len() + digits.len() / 3);
     for (i, digit) in digits.chars().enumerate() {

@@ -31,6 +31,31 @@ pub(super) fn aligned(table: &[Vec<String>]) -> String {
     text
 }
 
+/// Columns of a terminal.
+const WIDTH: usize = 80;
+
+/// The text in lines of at most 80 columns, each with a line break at its end. The first begins with one indent, the
+/// others with the other. A word that is longer stands alone on its line.
+pub(super) fn wrapped(text: &str, first: &str, others: &str) -> String {
+    let mut lines = String::new();
+    let mut line = String::from(first);
+    let mut is_empty = true;
+    for word in text.split(' ') {
+        if !is_empty && WIDTH < line.chars().count() + 1 + word.chars().count() {
+            lines += &line;
+            lines.push('\n');
+            line = others.into();
+            is_empty = true;
+        }
+        if !is_empty {
+            line.push(' ');
+        }
+        line += word;
+        is_empty = false;
+    }
+    lines + &line + "\n"
+}
+
 /// A row of CSV: cells with commas, quotes or line breaks are quoted (RFC 4180, 2.6 and 2.7).
 pub(super) fn csv_row<'a>(cells: impl IntoIterator<Item = &'a str>) -> String {
     let quoted = cells.into_iter().map(|cell| {
@@ -54,6 +79,26 @@ mod tests {
             csv_row(["x", "a, \"b\"", "7", ""]),
             "x,\"a, \"\"b\"\"\",7,\n"
         );
+    }
+
+    #[test]
+    fn a_long_text_is_broken_between_words_at_eighty_columns() {
+        // an indent of 4, 73 letters, a blank and 2 letters: the line is full
+        let long = "a".repeat(73);
+        assert_eq!(
+            wrapped(&format!("{long} bé c"), "    ", "  "),
+            format!("    {long} bé\n  c\n")
+        );
+        assert_eq!(
+            wrapped(&format!("{long} bcd e"), "    ", "  "),
+            format!("    {long}\n  bcd e\n")
+        );
+        let longer = "a".repeat(99);
+        assert_eq!(
+            wrapped(&format!("b {longer} c"), "", "  "),
+            format!("b\n  {longer}\n  c\n")
+        );
+        assert_eq!(wrapped("", "", "  "), "\n");
     }
 
     #[test]

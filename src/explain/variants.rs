@@ -4,8 +4,8 @@ use crate::scene::Scene;
 use crate::structure::{Build, SlabChoice, VolumeKind};
 use crate::trace::{Settings, StrategyName};
 
-/// A strategy and what makes its variant, as in `hierarchy, insertion`.
-pub(super) fn variant_name(settings: &Settings) -> String {
+/// Returns the name of a strategy and what makes its variant, as in `hierarchy, insertion`.
+pub fn strategy_title(settings: &Settings) -> String {
     let structure = &settings.structure;
     let build = match structure.build {
         Build::BottomUp => "bottom-up",

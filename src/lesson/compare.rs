@@ -2,7 +2,7 @@
 
 use std::time::Instant;
 
-use crate::explain::{Compared, Comparison, Cost, strategies_to_compare};
+use crate::explain::{Compared, Comparison, Cost, CrowdedCell, strategies_to_compare};
 use crate::scene::Scene;
 use crate::strategy::{Chosen, Strategy};
 use crate::structure::StructureError;
@@ -84,6 +84,9 @@ fn cost(
     Ok(Ok(Cost {
         counts,
         bytes: strategy.bytes(),
+        crowded: strategy
+            .grid()
+            .and_then(|grid| CrowdedCell::of(grid, scene.primitives.len())),
         building,
         tracing: started.elapsed(),
     }))

@@ -5,7 +5,7 @@ use crate::scene::Scene;
 use crate::strategy::{
     BoundedObjects, DepthFirst, Exhaustive, HeapOrdered, Search, Strategy, UniformGrid, ZAligned,
 };
-use crate::structure::{SlabChoice, SlabSet, StructureError, StructureOptions, VolumeKind};
+use crate::structure::{Grid, SlabChoice, SlabSet, StructureError, StructureOptions, VolumeKind};
 use crate::trace::{Recorder, StrategyName};
 
 /// One of the strategies, with its structure built. Which one is asked once for each ray.
@@ -95,6 +95,16 @@ impl<'a> Chosen<'a> {
                 Self::Grid(Box::new(grid))
             }
         })
+    }
+}
+
+impl Chosen<'_> {
+    /// The grid, if that is the strategy.
+    pub fn grid(&self) -> Option<&Grid> {
+        match self {
+            Self::Grid(strategy) => Some(strategy.grid()),
+            _ => None,
+        }
     }
 }
 

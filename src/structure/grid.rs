@@ -197,6 +197,15 @@ impl Grid {
         &self.lists
     }
 
+    /// The cell that lists the most objects, and how many; the first of equals. `None` without cells.
+    pub fn fullest_cell(&self) -> Option<([u32; 3], usize)> {
+        let lengths =
+            (0..self.cells.count()).map(|number| (number, self.lists.range(number).len()));
+        let longer = |a: (usize, usize), b: (usize, usize)| if a.1 < b.1 { b } else { a };
+        let (number, length) = lengths.reduce(longer)?;
+        Some((self.cells.cell(number), length))
+    }
+
     /// How many entries all lists have together.
     pub fn lists_total(&self) -> usize {
         self.lists.total()

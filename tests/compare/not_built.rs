@@ -29,11 +29,17 @@ fn a_structure_that_cannot_be_built_is_told_and_the_others_go_on() {
         pixel: None,
         compared,
     };
-    let text = comparison.text();
+    let text = comparison.wide_text();
     assert!(
         text.contains(&format!("own slabs  not built: {why}\n")),
         "{text}"
     );
+    // in 80 columns the reason stands below, and the strategy last
+    let text = comparison.text();
+    let told = "\nhierarchy, bottom-up, own slabs  not built\n\
+                hierarchy, bottom-up, own slabs: not built: slabs[0] and slabs[1] are parallel;\n  \
+                leave one of them out\n";
+    assert!(text.contains(told), "{text}");
     let json = comparison.json();
     let own = entry(&json, "hierarchy, bottom-up, own slabs");
     assert_eq!(own["error"], why);
@@ -63,6 +69,7 @@ fn cost_of_the_first_pixel(scene: &Scene, settings: &Settings) -> Result<Cost, S
     Ok(Cost {
         counts,
         bytes: strategy.bytes(),
+        crowded: None,
         building: Duration::ZERO,
         tracing: Duration::ZERO,
     })
