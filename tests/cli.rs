@@ -5,8 +5,10 @@ pub(crate) mod strategies;
 
 pub(crate) mod figures;
 mod logs;
+mod manners;
 #[cfg(unix)]
 mod pipes;
+mod usual_strategy;
 
 use raystep::{Kind, Scene, load_bytes};
 use run::{Folder, SCENE};
@@ -116,6 +118,24 @@ fn a_converted_scene_gives_the_same_picture() {
         ];
         assert_eq!(before, after, "{name}");
     }
+}
+
+#[test]
+fn glass_of_nff_without_a_specular_share_spawns_no_reflected_ray() {
+    // Ks, the fifth number, is also the weight of the reflected ray: 0 is what the file says
+    let rays = |specular: &str, purpose: &str| {
+        let text = format!(
+            "v\nfrom 0 0 5\nat 0 0 0\nup 0 1 0\nangle 30\nhither 1\nresolution 9 9\n\
+             l 3 4 9\nf 1 1 1 .1 {specular} 9 .8 1.5\ns 0 0 0 1\n"
+        );
+        let folder = Folder::empty().with("s.nff", text);
+        let json = folder.run("render s.nff -o a.png --stats=json").well();
+        let json: Value = serde_json::from_slice(&json).unwrap();
+        json["rays"][purpose]["traced"].as_u64().unwrap()
+    };
+    assert_eq!(rays("0", "reflected"), 0);
+    assert!(0 < rays("0", "refracted"));
+    assert!(0 < rays("0.2", "reflected"));
 }
 
 #[test]

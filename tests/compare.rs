@@ -1,8 +1,10 @@
 //! Strategies side by side: the table, JSON and CSV say the same, and what can be counted by hand is right.
 
 mod chart;
+mod crowded;
 mod heat;
 mod not_built;
+mod table;
 mod transports;
 
 use raystep::{
@@ -161,7 +163,7 @@ fn text_csv_and_json_say_the_same() {
     let folder = Folder::with_scene();
     let words = "compare scene.json --pixels 24,18";
     let json = json_of(&folder, words);
-    let text = text_of(&folder, words);
+    let text = text_of(&folder, &format!("{words} --wide"));
     let csv = text_of(&folder, &format!("{words} --format csv"));
 
     let mut lines = csv.lines().map(cells);
@@ -244,14 +246,16 @@ fn counts_are_the_same_on_any_number_of_threads() {
 fn what_was_computed_in_advance_is_told() {
     let folder = Folder::empty().with("s.json", SQUARE);
     // two eye rays, each of which meets the plane and the outline of the one polygon
-    let words = "render s.json -o out.png --stats=json";
+    let words = "render s.json --strategy exhaustive -o out.png --stats=json";
     let json: Value = serde_json::from_slice(&folder.run(words).well()).unwrap();
     let once = serde_json::json!({ "computed": 1, "used": 2, "saved": 1 });
     assert_eq!(
         json["in_advance"],
         serde_json::json!({ "plane_equations": once, "projected_outlines": once })
     );
-    let stderr = folder.run("render s.json -o out.png --stats").stderr;
+    let stderr = folder
+        .run("render s.json --strategy exhaustive -o out.png --stats")
+        .stderr;
     for what in ["plane equations", "projected outlines"] {
         let line = format!("\n{what}: computed once instead of 2: 1 saved\n");
         assert!(stderr.contains(&line), "{stderr}");

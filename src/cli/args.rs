@@ -26,6 +26,69 @@ pub(crate) struct Args {
     /// What is to be done.
     #[command(subcommand)]
     pub(crate) verb: Verb,
+    /// Neither notes nor progress; errors remain
+    #[arg(long, global = true, help_heading = "Messages")]
+    pub(crate) quiet: bool,
+    /// Colours: in a terminal unless NO_COLOR is set (auto), always, or never
+    #[arg(long, global = true, help_heading = "Messages")]
+    #[arg(value_enum, default_value = "auto")]
+    #[arg(
+        hide_possible_values = true,
+        hide_default_value = true,
+        value_name = "auto|always|never"
+    )]
+    pub(crate) color: Colours,
+}
+
+/// When the output has colours.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Colours {
+    /// In a terminal, unless the environment says otherwise (`NO_COLOR`, `CLICOLOR`, `CLICOLOR_FORCE`).
+    #[default]
+    Auto,
+    /// Everywhere.
+    Always,
+    /// Nowhere.
+    Never,
+}
+
+impl From<Colours> for anstream::ColorChoice {
+    fn from(colours: Colours) -> Self {
+        match colours {
+            Colours::Auto => Self::Auto,
+            Colours::Always => Self::Always,
+            Colours::Never => Self::Never,
+        }
+    }
+}
+
+impl From<Colours> for clap::ColorChoice {
+    fn from(colours: Colours) -> Self {
+        match colours {
+            Colours::Auto => Self::Auto,
+            Colours::Always => Self::Always,
+            Colours::Never => Self::Never,
+        }
+    }
+}
+
+impl Colours {
+    /// What the arguments say before they are parsed: help and usage errors have colours too. The last word counts;
+    /// `Auto` if there is none, or it makes no sense, which is told later.
+    pub(crate) fn of(arguments: &[OsString]) -> Self {
+        let words = arguments.iter().map(|word| word.to_string_lossy());
+        let options: Vec<_> = words.take_while(|word| word != "--").collect();
+        let places = options.iter().enumerate();
+        let mut values = places.filter_map(|(i, word)| match word.split_once('=') {
+            Some(("--color", value)) => Some(value),
+            None if word == "--color" => options.get(i + 1).map(|next| &**next),
+            _ => None,
+        });
+        let known = values
+            .next_back()
+            .and_then(|value| Self::from_str(value, false).ok());
+        known.unwrap_or_default()
+    }
 }
 
 /// What can be done.
@@ -64,20 +127,21 @@ pub(crate) struct Reading {
 /// How a scene is traced. A saved log has been traced, so none of these go with one, except the
 /// statistics.
 #[derive(Debug, Default, ClapArgs)]
-#[command(next_help_heading = "Tracing")]
+#[command(next_help_heading = "Strategy")]
 pub(crate) struct Tracing {
-    /// Which objects each ray is tested against [default: exhaustive]
+    /// Which objects each ray is tested against [default: hierarchy to render, unless a heat map; for a pixel or a
+    /// log exhaustive, and beyond 1000 objects hierarchy]
     #[arg(long, value_enum, value_name = "NAME")]
     pub(crate) strategy: Option<StrategyName>,
+    /// How the tree is built, for hierarchy and heap [default: bottom-up]
+    #[arg(long, value_enum, value_name = "NAME")]
+    pub(crate) build: Option<Build>,
     /// Volume around each object, for bounds [default: box]
     #[arg(long, value_enum, value_name = "NAME")]
     pub(crate) volume: Option<VolumeKind>,
     /// Directions of slabs, for hierarchy, heap, and bounds with the volume slabs [default: axes]
     #[arg(long, value_enum, value_name = "NAME")]
     pub(crate) slabs: Option<SlabChoice>,
-    /// How the tree is built, for hierarchy and heap [default: bottom-up]
-    #[arg(long, value_enum, value_name = "NAME")]
-    pub(crate) build: Option<Build>,
     /// Cells along x, y and z, for grid [default: by the density]
     #[arg(long, value_name = "NX,NY,NZ", value_parser = cells)]
     pub(crate) grid: Option<[u32; 3]>,
@@ -98,6 +162,7 @@ pub(crate) struct Tracing {
     #[command(flatten)]
     pub(crate) casting: Casting,
     /// Count rays and tests: as text on standard error, or as JSON on standard output
+    #[arg(help_heading = None::<&str>)]
     #[arg(long, value_enum, value_name = "FORMAT", num_args = 0..=1, require_equals = true)]
     #[arg(default_missing_value = "text")]
     pub(crate) stats: Option<Format>,
@@ -123,7 +188,7 @@ impl Tracing {
 
 /// Which rays are cast.
 #[derive(Clone, Debug, Default, ClapArgs)]
-#[command(next_help_heading = "Tracing")]
+#[command(next_help_heading = "Rays")]
 pub(crate) struct Casting {
     /// Which rays are cast [default: hybrid-light]
     #[arg(long, value_enum, value_name = "NAME")]
@@ -143,26 +208,33 @@ pub(crate) struct Casting {
     /// Where the eye rays pass a pixel [default: centres]
     #[arg(long, value_enum, value_name = "WHERE")]
     pub(crate) through: Option<Through>,
-    /// Where chance begins, for forward, hybrid-stored and hybrid-connected [default: 1]
+    /// Seed of the random numbers, for forward, hybrid-stored and hybrid-connected [default: 1]
+    #[arg(help_heading = "Light")]
     #[arg(long, value_name = "N")]
     pub(crate) seed: Option<u64>,
     /// Paths of light, for forward and hybrid-stored [default: 200000]
+    #[arg(help_heading = "Light")]
     #[arg(long, value_name = "N")]
     pub(crate) paths: Option<u64>,
-    /// Paths from the eye for each pixel, and of light as many, for hybrid-connected [default: 4]
+    /// Paths from the eye for each pixel, and as many from the lights, for hybrid-connected [default: 4]
+    #[arg(help_heading = "Light")]
     #[arg(long, value_name = "N")]
     pub(crate) samples: Option<u32>,
-    /// Surfaces that a path may meet, for forward, hybrid-stored and hybrid-connected [default: as many as
-    /// chance leaves it]
+    /// The most surfaces that a path may hit, for forward, hybrid-stored and hybrid-connected [default: no limit but
+    /// chance]
+    #[arg(help_heading = "Light")]
     #[arg(long, value_name = "N")]
     pub(crate) bounces: Option<u32>,
     /// Radius of the eye's aperture, for forward [default: a twentieth of the way to the window]
+    #[arg(help_heading = "Light")]
     #[arg(long, value_name = "R", value_parser = radius, allow_hyphen_values = true)]
     pub(crate) aperture: Option<f64>,
     /// Photons that are gathered around a point, for hybrid-stored [default: 50]
+    #[arg(help_heading = "Light")]
     #[arg(long, value_name = "K")]
     pub(crate) nearest: Option<u32>,
     /// Store light on flat faces in maps with so many cells along the longer side, for hybrid-stored
+    #[arg(help_heading = "Light")]
     #[arg(long, value_name = "N")]
     pub(crate) map: Option<u32>,
 }
@@ -305,6 +377,9 @@ pub(crate) struct CompareArgs {
     #[arg(long, value_enum, default_value = "text", hide_possible_values = true)]
     #[arg(value_name = "text|json|csv")]
     pub(crate) format: TableFormat,
+    /// In text: a column for each kind of test, and rays, times and memory; wider than 80 columns
+    #[arg(long, conflicts_with = "transports")]
+    pub(crate) wide: bool,
     /// Draw the tests as bars on a logarithmic axis
     #[arg(long, value_name = "F.svg")]
     pub(crate) chart: Option<PathBuf>,
@@ -459,6 +534,58 @@ mod tests {
     #[test]
     fn clap_finds_no_contradiction_in_the_arguments() {
         Args::command().debug_assert();
+    }
+
+    #[test]
+    fn at_most_ten_options_stand_under_a_heading_of_any_help() {
+        /// More is no list that one reads.
+        const MOST: usize = 10;
+        let mut command = Args::command();
+        command.build();
+        let mut verbs = 0;
+        for verb in command.get_subcommands().chain([&command]) {
+            let options = verb
+                .get_arguments()
+                .filter(|arg| !arg.is_positional() && !arg.is_hide_set());
+            let mut headings = std::collections::BTreeMap::<&str, Vec<&str>>::new();
+            for option in options {
+                let heading = option.get_help_heading().unwrap_or("Options");
+                headings
+                    .entry(heading)
+                    .or_default()
+                    .push(option.get_id().as_str());
+            }
+            // the test sees what the help shows: --help stands everywhere
+            assert!(headings["Options"].contains(&"help"), "{}", verb.get_name());
+            for (heading, options) in headings {
+                assert!(
+                    options.len() <= MOST,
+                    "{} {heading}: {options:?}",
+                    verb.get_name()
+                );
+            }
+            verbs += 1;
+        }
+        // ten verbs, help and the command itself
+        assert!(11 <= verbs, "{verbs}");
+    }
+
+    #[test]
+    fn the_last_choice_of_colours_counts_before_the_arguments_are_parsed() {
+        let colours = |words: &[&str]| {
+            let words: Vec<OsString> = words.iter().map(OsString::from).collect();
+            Colours::of(&words)
+        };
+        assert_eq!(colours(&["raystep", "pixel"]), Colours::Auto);
+        assert_eq!(colours(&["--color", "never"]), Colours::Never);
+        assert_eq!(colours(&["--color=always"]), Colours::Always);
+        assert_eq!(
+            colours(&["--color=always", "--color", "never"]),
+            Colours::Never
+        );
+        assert_eq!(colours(&["--color", "blue"]), Colours::Auto);
+        assert_eq!(colours(&["--color"]), Colours::Auto);
+        assert_eq!(colours(&["--", "--color=always"]), Colours::Auto);
     }
 
     #[test]

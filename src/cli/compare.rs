@@ -15,6 +15,8 @@ use crate::cli::output::{self, Output};
 use crate::cli::pixel::inside;
 use crate::cli::progress::{bar, bar_of, on_threads};
 use crate::cli::same_file::Taken;
+use crate::cli::structure_options::word;
+use crate::cli::usual::Usual;
 
 /// Begins the ids of the chart.
 const CHART_ID: &str = "raystep-compare";
@@ -26,6 +28,13 @@ pub(crate) fn run(args: &CompareArgs) -> Result<(), Error> {
             file: "--chart -".into(),
             what: "the table goes to standard output, and so would the chart".into(),
             fix: "name a file with --chart".into(),
+        });
+    }
+    if args.wide && args.format != TableFormat::Text {
+        return Err(Error::Unused {
+            option: "--wide",
+            chosen: format!("--format {}, which has all columns", word(&args.format)),
+            users: vec!["--format text".into()],
         });
     }
     if args.transports {
@@ -59,6 +68,7 @@ pub(crate) fn run(args: &CompareArgs) -> Result<(), Error> {
         chart.write_whole(cost_chart(CHART_ID, &comparison).as_bytes())?;
     }
     let table = match args.format {
+        TableFormat::Text if args.wide => comparison.wide_text(),
         TableFormat::Text => comparison.text(),
         TableFormat::Json => format!("{:#}\n", comparison.json()),
         TableFormat::Csv => comparison.csv(),
@@ -69,7 +79,7 @@ pub(crate) fn run(args: &CompareArgs) -> Result<(), Error> {
 /// The scene, made ready as the options want it.
 fn scene_of(
     args: &CompareArgs,
-    ready: impl FnOnce(Loaded, &Tracing, Instant) -> Result<Ready, Error>,
+    ready: impl FnOnce(Loaded, &Tracing, Usual, Instant) -> Result<Ready, Error>,
 ) -> Result<Ready, Error> {
     let started = Instant::now();
     let tracing = Tracing {
@@ -77,7 +87,7 @@ fn scene_of(
         ..Tracing::default()
     };
     match input::open(&args.scene, &args.reading)? {
-        Input::Scene(loaded) => ready(*loaded, &tracing, started),
+        Input::Scene(loaded) => ready(*loaded, &tracing, Usual::Exhaustive, started),
         Input::Log(_) => Err(input::needs_scene(&args.scene, "a comparison needs")),
     }
 }

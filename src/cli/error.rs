@@ -225,7 +225,7 @@ impl fmt::Display for Error {
                 users,
             } => write!(
                 f,
-                "{option} has no effect with {chosen}\n  leave it away, or take {}",
+                "{option} has no effect with {chosen}\n  omit it, or use {}",
                 users.join(" or ")
             ),
             Self::Structure { fault } => match option_of(fault) {
@@ -266,7 +266,7 @@ impl fmt::Display for Error {
             ),
             Self::NoSuchRay { ray, last: None } => write!(
                 f,
-                "the pixel has no ray {ray}: none was sent from it, or its log holds none\n  leave --ray away"
+                "the pixel has no ray {ray}: none was sent from it, or its log holds none\n  omit --ray"
             ),
             Self::Budget { budget } => write!(
                 f,

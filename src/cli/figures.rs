@@ -6,7 +6,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use rayon::prelude::*;
-use raystep::FigureName;
+use raystep::{FigureName, Library, printable};
 
 use crate::cli::Error;
 use crate::cli::args::FiguresArgs;
@@ -17,6 +17,9 @@ use crate::cli::same_file::Taken;
 /// Draws all figures; writes those that changed, or tells them.
 pub(crate) fn run(args: &FiguresArgs) -> Result<(), Error> {
     let library = args.drawing.library()?;
+    if args.list {
+        return Output::standard().write_whole(list(&library)?.as_bytes());
+    }
     let how = args.drawing.rendition();
     let draw = |name: FigureName| {
         let (lesson, spec) = library.find(&name)?;
@@ -61,6 +64,44 @@ pub(crate) fn run(args: &FiguresArgs) -> Result<(), Error> {
         Output::create(file, &taken)?.write_whole(svg.as_bytes())?;
     }
     Ok(())
+}
+
+/// A line for each figure: its name, and as much of its caption as the line holds.
+fn list(library: &Library) -> Result<String, Error> {
+    /// Columns of a terminal.
+    const WIDTH: usize = 80;
+    let names = library.figures();
+    let widest = names.iter().map(|name| name.to_string().chars().count());
+    let widest = widest.max().unwrap_or(0);
+    let mut text = String::new();
+    for name in &names {
+        let (_, spec) = library.find(name)?;
+        let room = WIDTH.saturating_sub(widest + 2);
+        let caption = shortened(&printable(&spec.caption), room);
+        let line = format!("{:<widest$}  {caption}", name.to_string());
+        text.push_str(line.trim_end());
+        text.push('\n');
+    }
+    Ok(text)
+}
+
+/// The whole text if it has room, or whole words of it and an ellipsis.
+fn shortened(text: &str, room: usize) -> String {
+    if text.chars().count() <= room {
+        return text.into();
+    }
+    let mut short = String::new();
+    for word in text.split_whitespace() {
+        // a blank and the ellipsis
+        if room < short.chars().count() + word.chars().count() + 2 {
+            break;
+        }
+        if !short.is_empty() {
+            short.push(' ');
+        }
+        short.push_str(word);
+    }
+    short + "…"
 }
 
 /// Tells which files are not what would be drawn.

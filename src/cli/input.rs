@@ -1,19 +1,22 @@
 //! Opening what is to be traced or read: a scene, or a log, told by its first line.
 
 use std::fs::File;
-use std::io::{self, BufRead, BufReader, Cursor, Read, Write};
+use std::io::{self, BufRead, BufReader, Cursor, Read};
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
 use raystep::{
-    Chosen, Fault, Folder, LARGEST_FILE, LONGEST_LINE, LoadError, Loaded, LogReader, MAX_RAYS,
-    ReadEnd, Scene, Settings, Stopped, begins_log, load_text, printable, read_up_to,
+    Chosen, Counts, CrowdedCell, Fault, Folder, LARGEST_FILE, LONGEST_LINE, LoadError, Loaded,
+    LogReader, MAX_RAYS, ReadEnd, Scene, Settings, Stopped, begins_log, load_text, read_up_to,
 };
 
 use crate::cli::Error;
 use crate::cli::args::{Reading, Tracing};
 use crate::cli::light_options::{self, LIGHT_OPTIONS};
+use crate::cli::notes::note;
+use crate::cli::stats::{Report, Times};
 use crate::cli::structure_options::{STRUCTURE_OPTIONS, refuse_unused};
+use crate::cli::usual::Usual;
 
 /// How many bytes are read at once: with less, calls of the system add up.
 const AT_ONCE: usize = 1 << 16;
@@ -39,11 +42,35 @@ pub(crate) struct Ready {
     pub(crate) max_rays: u64,
     /// The files that it names and that were read for it.
     pub(crate) files: Vec<PathBuf>,
+    /// Did the verb choose the strategy, and no option?
+    pub(crate) is_usual: bool,
     /// How long it took to read and check it.
     pub(crate) loading: Duration,
 }
 
 impl Ready {
+    /// The grid that the strategy walks, if most objects lie in one of its cells.
+    pub(crate) fn crowded(&self, strategy: &Chosen<'_>) -> Option<CrowdedCell> {
+        CrowdedCell::of(strategy.grid()?, self.scene.primitives.len())
+    }
+
+    /// What `--stats` tells of a trace of this scene.
+    pub(crate) fn report<'a>(
+        &'a self,
+        strategy: &Chosen<'_>,
+        counts: &'a Counts,
+        times: Times,
+    ) -> Report<'a> {
+        Report {
+            scene: &self.scene,
+            settings: &self.settings,
+            is_usual: self.is_usual,
+            crowded: self.crowded(strategy),
+            counts,
+            times,
+        }
+    }
+
     /// The strategy that the settings ask for, its structure built.
     pub(crate) fn strategy(&self) -> Result<Chosen<'_>, Error> {
         let Settings {
@@ -127,28 +154,30 @@ pub(crate) fn open(path: &Path, reading: &Reading) -> Result<Input, Error> {
         Folder::of(path)
     };
     let loaded = load_text(&file, &bytes, &folder.allow_outside(reading.allow_outside))?;
-    for note in &loaded.notes {
-        // a note that nobody can read stops nothing
-        let _ = writeln!(io::stderr(), "note: {}", printable(note));
+    for text in &loaded.notes {
+        note(text);
     }
     Ok(Input::Scene(Box::new(loaded)))
 }
 
-/// A scene as the options want it, checked.
-pub(crate) fn ready(loaded: Loaded, tracing: &Tracing, started: Instant) -> Result<Ready, Error> {
+/// A scene as the options want it, checked; `usual` is the strategy if none is chosen.
+pub(crate) fn ready(
+    loaded: Loaded,
+    tracing: &Tracing,
+    usual: Usual,
+    started: Instant,
+) -> Result<Ready, Error> {
     light_options::refuse_unused(&tracing.casting)?;
-    ready_for_all(loaded, tracing, started)
+    ready_for_all(loaded, tracing, usual, started)
 }
 
 /// The same for several transports, of which each looks at some of the options.
 pub(crate) fn ready_for_all(
     mut loaded: Loaded,
     tracing: &Tracing,
+    usual: Usual,
     started: Instant,
 ) -> Result<Ready, Error> {
-    let strategy = tracing.strategy.unwrap_or_default();
-    let structure = tracing.structure();
-    refuse_unused(tracing, strategy, &structure)?;
     if let Some(pixels) = tracing.casting.pixels {
         loaded.scene.camera.pixels = pixels;
     }
@@ -181,6 +210,9 @@ pub(crate) fn ready_for_all(
     if tracing.casting.one_sided {
         scene = scene.one_sided();
     }
+    let strategy = tracing.strategy.unwrap_or_else(|| usual.strategy(&scene));
+    let structure = tracing.structure();
+    refuse_unused(tracing, strategy, &structure)?;
     let settings = Settings {
         strategy,
         structure,
@@ -199,6 +231,7 @@ pub(crate) fn ready_for_all(
         settings,
         max_rays: tracing.casting.max_rays.unwrap_or(MAX_RAYS),
         files,
+        is_usual: tracing.strategy.is_none(),
         loading: started.elapsed(),
     })
 }

@@ -1,12 +1,12 @@
 //! The paths of light that a transport needs before its pixels.
 
-use std::io::{self, Write};
 use std::path::Path;
 
-use raystep::{LightError, LightPass, Recorder, Region, Strategy, check_light, printable};
+use raystep::{LightError, LightPass, Recorder, Region, Strategy, check_light};
 
 use crate::cli::Error;
 use crate::cli::input::{self, Ready};
+use crate::cli::notes::note;
 use crate::cli::progress::{bar_of, on_threads};
 
 /// Tells the notes about how light is followed through a scene, on standard error, or why it cannot be.
@@ -18,9 +18,8 @@ pub(crate) fn tell_notes(
         file: input::name_of(file),
         fault,
     })?;
-    for note in notes {
-        // a note that nobody can read stops nothing
-        let _ = writeln!(io::stderr(), "note: {}", printable(&note));
+    for text in &notes {
+        note(text);
     }
     Ok(())
 }

@@ -1,12 +1,13 @@
 //! `raystep mdbook`: the preprocessor, as mdBook calls it.
 
-use std::io::{self, Write};
+use std::io;
 use std::process::ExitCode;
 
-use raystep::{preprocess, printable};
+use raystep::preprocess;
 
 use crate::cli::Error;
 use crate::cli::args::{MdbookArgs, MdbookVerb};
+use crate::cli::notes::note;
 use crate::cli::output::Output;
 
 /// Follows the directives of the book on standard input, or says whether a renderer is supported.
@@ -17,9 +18,8 @@ pub(crate) fn run(args: &MdbookArgs) -> Result<ExitCode, Error> {
         return Ok(ExitCode::from(u8::from(!supported)));
     }
     let done = preprocess(io::stdin().lock())?;
-    for note in &done.notes {
-        // a note that nobody can read stops nothing
-        let _ = writeln!(io::stderr(), "note: {}", printable(note));
+    for text in &done.notes {
+        note(text);
     }
     Output::standard().write_whole(done.book.as_bytes())?;
     Ok(ExitCode::SUCCESS)

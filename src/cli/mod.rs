@@ -11,6 +11,8 @@ mod input;
 mod light;
 mod light_options;
 mod mdbook;
+mod notes;
+mod one_word;
 mod output;
 mod pixel;
 mod progress;
@@ -22,21 +24,28 @@ mod signals;
 mod stats;
 mod structure_options;
 mod trace;
+mod usual;
 
 pub(crate) use error::Error;
 
 use std::ffi::OsString;
 use std::process::ExitCode;
 
-use clap::Parser;
+use clap::{CommandFactory, FromArgMatches};
 
-use args::{Args, Verb};
+use args::{Args, Colours, Verb};
 
 /// Does what the arguments say; the first one is the name of the program.
 pub(crate) fn run(arguments: impl Iterator<Item = OsString>) -> Result<ExitCode, Error> {
     let arguments: Vec<OsString> = arguments.collect();
     args::refuse_negative(&arguments)?;
-    let done = match Args::try_parse_from(arguments)?.verb {
+    // before they are parsed, for help and usage errors
+    anstream::ColorChoice::write_global(Colours::of(&arguments).into());
+    let Args { verb, quiet, .. } = parse(&arguments)?;
+    if quiet {
+        notes::be_quiet();
+    }
+    let done = match verb {
         Verb::Pixel(args) => pixel::run(&args),
         Verb::Trace(args) => trace::run(&args),
         Verb::Render(args) => render::run(&args),
@@ -49,4 +58,15 @@ pub(crate) fn run(arguments: impl Iterator<Item = OsString>) -> Result<ExitCode,
         Verb::Mdbook(args) => return mdbook::run(&args),
     };
     done.map(|()| ExitCode::SUCCESS)
+}
+
+/// The arguments, with a tip where the numbers of one word were given as several.
+fn parse(arguments: &[OsString]) -> Result<Args, Error> {
+    let command = Args::command().color(Colours::of(arguments).into());
+    let matches = |words: &[OsString]| command.clone().try_get_matches_from(words);
+    let parsed = matches(arguments).and_then(|matches| Args::from_arg_matches(&matches));
+    parsed.map_err(|error| {
+        let makes_sense = |words: &[OsString]| matches(words).is_ok();
+        Error::Usage(one_word::with_tip(error, arguments, makes_sense))
+    })
 }

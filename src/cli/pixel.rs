@@ -7,8 +7,8 @@ use std::time::Instant;
 
 use anstream::{AutoStream, ColorChoice};
 use raystep::{
-    Budget, Kind, Kinds, Off, Record, Recorder, Recording, Region, Scene, Settings, Stopped,
-    Strategy, Through, Tracer, WorkedOptions, paths_behind, pixel_json, trace_pixel,
+    Budget, CrowdedCell, Kind, Kinds, Off, Record, Recorder, Recording, Region, Scene, Settings,
+    Stopped, Strategy, Through, Tracer, WorkedOptions, paths_behind, pixel_json, trace_pixel,
     worked_solution,
 };
 
@@ -17,13 +17,18 @@ use crate::cli::args::{Format, PixelArgs};
 use crate::cli::input::{self, Input, Log, Ready};
 use crate::cli::light::light_pass;
 use crate::cli::output::Output;
-use crate::cli::stats::{self, LogCounts, Times};
+use crate::cli::stats::{self, LogCounts, Report, Times};
+use crate::cli::usual::Usual;
 
 /// A pixel's trace.
 struct Traced {
     scene: Scene,
     settings: Settings,
     records: Vec<Record>,
+    /// Did the verb choose the strategy, and no option?
+    is_usual: bool,
+    /// The grid that was walked, if most objects lie in one of its cells.
+    crowded: Option<CrowdedCell>,
     times: Times,
 }
 
@@ -37,7 +42,7 @@ pub(crate) fn run(args: &PixelArgs) -> Result<(), Error> {
     let started = Instant::now();
     let traced = match input::open(&args.scene, &args.reading)? {
         Input::Scene(loaded) => {
-            let ready = input::ready(*loaded, &args.tracing, started)?;
+            let ready = input::ready(*loaded, &args.tracing, Usual::BySize, started)?;
             let pixel = inside(args.pixel, &ready.scene)?;
             trace(&args.scene, ready, pixel, args.budget)?
         }
@@ -61,10 +66,15 @@ pub(crate) fn run(args: &PixelArgs) -> Result<(), Error> {
         for record in &traced.records {
             counts.add(record);
         }
-        let Traced {
-            scene, settings, ..
-        } = &traced;
-        stats::tell(format, scene, settings, counts.counts(), traced.times)?;
+        let report = Report {
+            scene: &traced.scene,
+            settings: &traced.settings,
+            is_usual: traced.is_usual,
+            crowded: traced.crowded,
+            counts: counts.counts(),
+            times: traced.times,
+        };
+        stats::tell(format, &report)?;
     }
     Ok(())
 }
@@ -111,9 +121,12 @@ fn trace(file: &Path, ready: Ready, pixel: [u32; 2], budget: u64) -> Result<Trac
         building: built - started,
         tracing: built.elapsed(),
     };
+    let crowded = ready.crowded(&strategy);
     drop(strategy);
     Ok(Traced {
         times,
+        is_usual: ready.is_usual,
+        crowded,
         scene: ready.scene,
         settings: ready.settings,
         records,
@@ -178,6 +191,8 @@ fn from_log(log: Log, args: &PixelArgs, started: Instant) -> Result<Traced, Erro
         scene,
         settings,
         records,
+        is_usual: false,
+        crowded: None,
         times: Times {
             loading: started.elapsed(),
             ..Times::default()

@@ -5,6 +5,7 @@ use std::io::IsTerminal;
 use indicatif::{ProgressBar, ProgressStyle};
 
 use crate::cli::Error;
+use crate::cli::notes::is_quiet;
 
 /// Does the work on so many threads; on all cores without a number.
 pub(crate) fn on_threads<T: Send>(
@@ -18,14 +19,14 @@ pub(crate) fn on_threads<T: Send>(
     Ok(pool.install(work))
 }
 
-/// A bar of scan lines on standard error; none where that is no terminal.
+/// A bar of scan lines on standard error; none where that is no terminal, and none with `--quiet`.
 pub(crate) fn bar(scan_lines: u64) -> ProgressBar {
     bar_of(scan_lines, "scan lines")
 }
 
 /// A bar of whatever is counted.
 pub(crate) fn bar_of(count: u64, what: &str) -> ProgressBar {
-    if !std::io::stderr().is_terminal() {
+    if is_quiet() || !std::io::stderr().is_terminal() {
         return ProgressBar::hidden();
     }
     let bar = ProgressBar::new(count);

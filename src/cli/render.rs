@@ -4,8 +4,8 @@ use std::io::{self, Write};
 use std::time::Instant;
 
 use raystep::{
-    Counts, HeatLine, HeatOf, Off, Picture, Raster, Recorder, Strategy, Through, Tracer, Transport,
-    heat_map, heat_values, render,
+    Chosen, Counts, HeatLine, HeatOf, Off, Picture, Raster, Recorder, Strategy, Through, Tracer,
+    Transport, heat_map, heat_values, render,
 };
 
 use crate::cli::Error;
@@ -17,6 +17,7 @@ use crate::cli::progress::{bar, on_threads};
 use crate::cli::same_file::Taken;
 use crate::cli::stats::{self, Times};
 use crate::cli::structure_options::word;
+use crate::cli::usual::Usual;
 
 /// Writes the picture.
 pub(crate) fn run(args: &RenderArgs) -> Result<(), Error> {
@@ -27,7 +28,14 @@ pub(crate) fn run(args: &RenderArgs) -> Result<(), Error> {
     }
     let started = Instant::now();
     let ready = match input::open(&args.scene, &args.reading)? {
-        Input::Scene(loaded) => input::ready(*loaded, &args.tracing, started)?,
+        Input::Scene(loaded) => {
+            // a heat map shows what the simple ray tracer costs, unless it is to show another strategy
+            let usual = match args.heatmap {
+                None => Usual::Hierarchy,
+                Some(_) => Usual::Exhaustive,
+            };
+            input::ready(*loaded, &args.tracing, usual, started)?
+        }
         Input::Log(_) => return Err(input::needs_scene(&args.scene, "a picture needs")),
     };
     let transport = ready.settings.transport;
@@ -59,15 +67,15 @@ pub(crate) fn run(args: &RenderArgs) -> Result<(), Error> {
     out.finish()?;
     match (args.tracing.stats, counted) {
         (Some(format), Some((counts, times))) => {
-            stats::tell(format, &ready.scene, &ready.settings, &counts, times)
+            stats::tell(format, &ready.report(&strategy, &counts, times))
         }
         _ => Ok(()),
     }
 }
 
 /// The picture or the heat map, and the counts if they are wanted.
-fn render_with<S: Strategy>(
-    strategy: &S,
+fn render_with(
+    strategy: &Chosen<'_>,
     ready: &Ready,
     args: &RenderArgs,
     mut times: Times,

@@ -4,8 +4,8 @@ use std::io::{self, Write};
 use std::time::Duration;
 
 use raystep::{
-    Counts, Record, Recorder, Scene, Settings, counts_json, counts_text, in_advance,
-    in_advance_json, in_advance_text,
+    Counts, CrowdedCell, Record, Recorder, Scene, Settings, counts_json, counts_text, in_advance,
+    in_advance_json, in_advance_text, strategy_title,
 };
 use serde_json::{Value, json};
 
@@ -24,14 +24,28 @@ pub(crate) struct Times {
     pub(crate) tracing: Duration,
 }
 
-/// Tells the counts: as text on standard error, as JSON on standard output.
-pub(crate) fn tell(
-    format: Format,
-    scene: &Scene,
-    settings: &Settings,
-    counts: &Counts,
-    times: Times,
-) -> Result<(), Error> {
+/// What a trace was made with, and what it cost.
+pub(crate) struct Report<'a> {
+    pub(crate) scene: &'a Scene,
+    pub(crate) settings: &'a Settings,
+    /// Did the verb choose the strategy, and no option?
+    pub(crate) is_usual: bool,
+    /// The grid that was walked, if most objects lie in one of its cells.
+    pub(crate) crowded: Option<CrowdedCell>,
+    pub(crate) counts: &'a Counts,
+    pub(crate) times: Times,
+}
+
+/// Prints the report: as text on standard error, as JSON on standard output.
+pub(crate) fn tell(format: Format, report: &Report<'_>) -> Result<(), Error> {
+    let Report {
+        scene,
+        settings,
+        is_usual,
+        crowded,
+        counts,
+        times,
+    } = report;
     let advance = in_advance(scene, settings, counts);
     let parts = [
         ("loading", times.loading),
@@ -41,13 +55,29 @@ pub(crate) fn tell(
     match format {
         Format::Text => {
             let seconds = parts.map(|(part, time)| format!("{part} {:.3} s", time.as_secs_f64()));
+            let by_whom = if *is_usual {
+                " (chosen by raystep; --strategy chooses another)"
+            } else {
+                ""
+            };
+            let strategy = format!("strategy: {}{by_whom}\n", strategy_title(settings));
+            let crowded = crowded.as_ref().map(|crowded| format!("{crowded}\n"));
             let [table, advance] = [counts_text(counts), in_advance_text(&advance)];
             // counts that nobody can read stop nothing
-            let _ = writeln!(io::stderr(), "{table}{advance}{}", seconds.join(", "));
+            let _ = writeln!(
+                io::stderr(),
+                "{strategy}{table}{advance}{}{}",
+                crowded.unwrap_or_default(),
+                seconds.join(", ")
+            );
             Ok(())
         }
         Format::Json => {
             let mut report = counts_json(counts);
+            report["strategy"] = strategy_title(settings).into();
+            if let Some(crowded) = crowded {
+                report["crowded_cell"] = crowded.json();
+            }
             report["in_advance"] = in_advance_json(&advance);
             let seconds = parts.map(|(part, time)| (part.into(), json!(time.as_secs_f64())));
             report["seconds"] = Value::Object(seconds.into_iter().collect());

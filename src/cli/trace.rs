@@ -5,8 +5,8 @@ use std::ops::{AddAssign, ControlFlow};
 use std::time::Instant;
 
 use raystep::{
-    Budget, Counts, Filter, Kind, Kinds, LineSink, LogNames, LogOptions, LogStopped, LoggedPaths,
-    Off, PathSieve, Record, Recorder, Region, Scene, Settings, Sink, Strategy, Tracer,
+    Budget, Chosen, Counts, Filter, Kind, Kinds, LineSink, LogNames, LogOptions, LogStopped,
+    LoggedPaths, Off, PathSieve, Record, Recorder, Region, Scene, Settings, Sink, Strategy, Tracer,
     paths_behind, write_log, write_log_head,
 };
 
@@ -17,7 +17,8 @@ use crate::cli::light::light_pass;
 use crate::cli::output::{self, Output};
 use crate::cli::progress::{bar, on_threads};
 use crate::cli::same_file::Taken;
-use crate::cli::stats::{self, LogCounts, Times};
+use crate::cli::stats::{self, LogCounts, Report, Times};
+use crate::cli::usual::Usual;
 
 /// How many bytes of a filtered log are kept before they are written.
 const BUFFER: usize = 1 << 16;
@@ -31,7 +32,10 @@ pub(crate) fn run(args: &TraceArgs) -> Result<(), Error> {
     }
     let started = Instant::now();
     match input::open(&args.scene, &args.reading)? {
-        Input::Scene(loaded) => trace(input::ready(*loaded, &args.tracing, started)?, args),
+        Input::Scene(loaded) => {
+            let ready = input::ready(*loaded, &args.tracing, Usual::BySize, started)?;
+            trace(ready, args)
+        }
         Input::Log(log) => {
             input::refuse_tracing(&args.scene, &args.tracing)?;
             filter_again(*log, args, started)
@@ -63,8 +67,8 @@ fn trace(mut ready: Ready, args: &TraceArgs) -> Result<(), Error> {
     trace_with(&strategy, &ready, args, options, out, times)
 }
 
-fn trace_with<S: Strategy>(
-    strategy: &S,
+fn trace_with(
+    strategy: &Chosen<'_>,
     ready: &Ready,
     args: &TraceArgs,
     mut options: LogOptions,
@@ -93,7 +97,7 @@ fn trace_with<S: Strategy>(
     let counts = write::<_, Counts>(&tracer, ready, args, &options, &mut out)?;
     times.tracing = started.elapsed();
     out.finish()?;
-    stats::tell(format, &ready.scene, &ready.settings, &counts, times)
+    stats::tell(format, &ready.report(strategy, &counts, times))
 }
 
 /// Writes the log, and gives back what else heard of the trace.
@@ -247,7 +251,15 @@ fn filter_again(mut log: Log, args: &TraceArgs, started: Instant) -> Result<(), 
             loading: started.elapsed(),
             ..Times::default()
         };
-        stats::tell(format, log.scene(), log.settings(), counts.counts(), times)?;
+        let report = Report {
+            scene: log.scene(),
+            settings: log.settings(),
+            is_usual: false,
+            crowded: None,
+            counts: counts.counts(),
+            times,
+        };
+        stats::tell(format, &report)?;
     }
     Ok(())
 }

@@ -297,7 +297,7 @@ fn an_option_that_the_transport_does_not_look_at_is_told_with_those_that_do() {
         refuses_options("--transport forward --nearest 9"),
         str![[r#"
 error: --nearest has no effect with --transport forward
-  leave it away, or take --transport hybrid-stored
+  omit it, or use --transport hybrid-stored
 
 "#]]
     );

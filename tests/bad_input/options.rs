@@ -21,15 +21,15 @@ fn an_option_that_the_strategy_does_not_look_at_is_told_with_those_that_do() {
         refuses_options("--strategy exhaustive --grid 4,4,4"),
         str![[r#"
 error: --grid has no effect with --strategy exhaustive
-  leave it away, or take --strategy grid
+  omit it, or use --strategy grid
 
 "#]]
     );
     assert_data_eq!(
-        refuses_options("--build insertion"),
+        refuses_options("--density 2"),
         str![[r#"
-error: --build has no effect with --strategy exhaustive
-  leave it away, or take --strategy hierarchy or --strategy heap
+error: --density has no effect with --strategy hierarchy
+  omit it, or use --strategy grid
 
 "#]]
     );
@@ -37,7 +37,7 @@ error: --build has no effect with --strategy exhaustive
         refuses_options("--strategy bounds --volume sphere --slabs seven"),
         str![[r#"
 error: --slabs has no effect with --strategy bounds --volume sphere
-  leave it away, or take --strategy hierarchy or --strategy heap or --strategy bounds --volume slabs
+  omit it, or use --strategy hierarchy or --strategy heap or --strategy bounds --volume slabs
 
 "#]]
     );

@@ -76,15 +76,19 @@ pub(crate) struct FigureArgs {
 /// All figures.
 #[derive(Debug, ClapArgs)]
 #[command(after_help = "Examples:
+  raystep figures --list
   raystep figures --out figures
   raystep figures --out figures --check")]
 pub(crate) struct FiguresArgs {
     /// Folder of the figures, one folder for each lesson in it
     #[arg(long, value_name = "DIR", default_value = "figures")]
     pub(crate) out: PathBuf,
-    /// Write nothing; tell which of the figures there differ from what would be drawn
+    /// Write nothing; print which of the figures there differ from what would be drawn
     #[arg(long)]
     pub(crate) check: bool,
+    /// Write nothing; print the name of each figure and its caption
+    #[arg(long, conflicts_with_all = ["check", "out", "width", "grayscale", "standalone"])]
+    pub(crate) list: bool,
     /// How they are drawn.
     #[command(flatten)]
     pub(crate) drawing: Drawing,
