@@ -9,6 +9,7 @@ mod compare;
 mod exact;
 mod figures;
 mod grid_exact;
+mod index;
 mod layers;
 mod mutations;
 mod polygon_exact;
