@@ -102,8 +102,8 @@ pub use trace::{
     PathStart, Photon, PhotonFate, PixelColour, PixelSample, Purpose, QueueAction, QueueStep,
     RayCount, RayEnd, RayNode, RayStart, RayTree, Record, Recorder, Recording, Region, Settings,
     Shade, Sink, SlabTest, Stored, StrategyName, TestCount, Through, Transport, UsefulRays,
-    Visibility, WalkEnd, ZSort, begins_log, geometry_term, scene_schema, trace_schema,
-    write_log_head,
+    Verdict, Visibility, WalkEnd, Why, ZSort, begins_log, geometry_term, scene_schema,
+    trace_schema, write_log_head,
 };
 pub use tracer::{
     EPSILON, Heat, HeatLine, HeatOf, LightError, LightPass, LogOptions, LogStopped, LoggedPaths,

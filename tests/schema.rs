@@ -261,7 +261,8 @@ fn a_head_with_a_wrong_key_or_value_is_refused() {
     let lines = lines();
     let of = |kind: &str| lines.iter().find(|line| kind_of(line) == kind).unwrap();
     for (kind, pointer, to) in [
-        ("trace", "/version", Some(json!(2))),
+        ("trace", "/version", Some(json!(1))),
+        ("trace", "/version", Some(json!(3))),
         ("trace", "/version", None),
         ("trace", "/settings", None),
         ("trace", "/settings/strategy", Some(json!("best"))),

@@ -4,6 +4,7 @@ mod damaged;
 mod impossible;
 mod light;
 pub(crate) mod strategies;
+mod verdicts;
 
 use std::io::{self, Write};
 use std::path::Path;

@@ -11,7 +11,7 @@ pub use event::{
     Connection, Event, Gathered, GridEnter, GridExit, HitOutsideCell, Kind, LightTerm, Nearby,
     Nearest, NodeOutcome, NodeVisit, Outcome, PathStart, Photon, PhotonFate, PixelColour,
     PixelSample, Purpose, QueueAction, QueueStep, RayEnd, RayStart, Shade, SlabTest, Stored,
-    Visibility, WalkEnd, ZSort, geometry_term,
+    Verdict, Visibility, WalkEnd, Why, ZSort, geometry_term,
 };
 pub(crate) use log::{EventWriter, generator, write_event};
 pub use log::{

@@ -79,10 +79,14 @@ fn what_is_no_log_is_told_so() {
     refused(b"{\"kind\":\"object\",\"name\":\"ball\"}\n", no_log);
     refused(b"{\"camera\":{}}\n", no_log);
     refused(b"\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\xff\n", no_log);
-    let version = changed(1, "\"version\":1", "\"version\":2");
-    let message = "a.jsonl, line 1: the log has version 2, and this program reads version 1\n  make \
-                   the log again with this program";
-    refused(version.as_bytes(), message);
+    for found in [1, 3] {
+        let version = changed(1, "\"version\":2", &format!("\"version\":{found}"));
+        let message = format!(
+            "a.jsonl, line 1: the log has version {found}, and this program reads version 2\n  \
+             make the log again with this program"
+        );
+        refused(version.as_bytes(), &message);
+    }
 }
 
 #[test]
@@ -124,8 +128,8 @@ fn broken_json_names_line_and_column() {
         ", column 78",
         "number out of range",
     );
-    check(6, "}", "} }", ", column 209", "trailing characters");
-    check(6, "}", "", ", column 206", "EOF while parsing an object");
+    check(6, "}", "} }", ", column 225", "trailing characters");
+    check(6, "}", "", ", column 222", "EOF while parsing an object");
     let what = "invalid type: null, expected a number, a string, true, false or a list of numbers";
     check(6, "\"a\":1.0", "\"a\":null", ", column 77", what);
     let what = "invalid type: sequence, expected a flat JSON object";
@@ -236,6 +240,15 @@ fn fields_that_contradict_each_other_are_named() {
         "",
         "\"t\" is not the chosen root",
     );
+    let what = "\"verdict\" or \"why\" does not follow from the test";
+    let missed = "\"verdict\":\"rejected\",\"why\":\"no_root\"";
+    check(6, "\"verdict\":\"hit\"", missed, "", what);
+    check(8, "\"why\":\"parallel\"", "\"why\":\"behind\"", "", what);
+    let what = "a test has a \"why\" if it is rejected, and only then";
+    let hit = "\"verdict\":\"rejected\"";
+    check(6, "\"verdict\":\"hit\"", hit, "", what);
+    let what = "\"rgb\" is not 255 times \"clamped\"";
+    check(21, "\"rgb\":[0,0,0]", "\"rgb\":[0,0,1]", "", what);
     let what = "\"face\" does not fit the object \"ball\"";
     check(
         6,

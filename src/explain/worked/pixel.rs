@@ -163,7 +163,7 @@ impl Solution<'_> {
         if colour.raw != colour.clamped {
             lines.push(format!("cut to 0..1: {}", d.vector(colour.clamped)));
         }
-        let [r, g, b] = (colour.clamped * 255.0).round().to_array();
+        let [r, g, b] = colour.rgb();
         lines.push(format!("in the picture, times 255: ({r}, {g}, {b})"));
         self.page.indented(|page| {
             for line in lines {

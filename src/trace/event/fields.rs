@@ -328,8 +328,8 @@ impl Field for DVec2 {
 
 /// A value that is one of a few words.
 pub(in crate::trace) trait Word: Copy + Default + PartialEq + 'static {
-    /// Each value with its word.
-    const WORDS: &'static [(Self, &'static str)];
+    /// Each value with its word, and what it means.
+    const WORDS: &'static [(Self, &'static str, &'static str)];
 
     /// The word of this value between quotation marks.
     fn quoted(self) -> &'static QuotedWord;
@@ -346,11 +346,11 @@ impl<W: Word> Field for W {
 
     fn read(json: &Json<'_>) -> Result<Self, String> {
         let found = match json {
-            Json::Text(text) => W::WORDS.iter().find(|(_, word)| *word == *text),
+            Json::Text(text) => W::WORDS.iter().find(|(_, word, _)| *word == *text),
             _ => None,
         };
-        found.map(|(value, _)| *value).ok_or_else(|| {
-            let words: Vec<_> = W::WORDS.iter().map(|(_, word)| *word).collect();
+        found.map(|(value, ..)| *value).ok_or_else(|| {
+            let words: Vec<_> = W::WORDS.iter().map(|(_, word, _)| *word).collect();
             format!("one of {}", words.join(", "))
         })
     }
@@ -358,12 +358,13 @@ impl<W: Word> Field for W {
     #[inline]
     fn scan(scanner: &mut Scanner<'_>) -> Option<Self> {
         let text = scanner.plain_text()?;
-        let found = W::WORDS.iter().find(|(_, word)| *word == text);
-        found.map(|(value, _)| *value)
+        let found = W::WORDS.iter().find(|(_, word, _)| *word == text);
+        found.map(|(value, ..)| *value)
     }
 
     fn schema() -> Value {
-        let words: Vec<_> = W::WORDS.iter().map(|(_, word)| *word).collect();
-        json!({ "enum": words })
+        let value = |&(_, word, meaning): &(Self, &str, &str)| json!({ "const": word, "description": meaning.trim() });
+        let values: Vec<_> = W::WORDS.iter().map(value).collect();
+        json!({ "type": "string", "oneOf": values })
     }
 }

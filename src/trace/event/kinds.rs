@@ -5,7 +5,10 @@ use crate::geometry::{
     Roots, SlabInterval,
 };
 use crate::scene::{PhongTerm, PrimitiveId};
+use crate::trace::Why;
 use crate::trace::event::fields::{Fields, Visitor};
+use crate::trace::event::verdict::{derived_verdict, of_box, of_plane, of_polygon, why_no_hit};
+use crate::trace::event::words::{Parallel, RootCount, ToPlane};
 use crate::trace::{Event, LightTerm, Nearest, PixelColour, PixelSample, RayEnd, RayStart, Shade};
 
 impl Fields for Event {
@@ -101,6 +104,16 @@ impl Fields for PixelColour {
             "cut to 0..1: what the picture shows",
             &mut self.clamped,
         );
+        let rgb = self.rgb().map(u32::from);
+        let mut found = rgb;
+        v.field(
+            "rgb",
+            "255 times clamped, rounded: the values of the picture's file",
+            &mut found,
+        );
+        if found != rgb {
+            v.fail("\"rgb\" is not 255 times \"clamped\"");
+        }
     }
 }
 
@@ -161,17 +174,9 @@ impl Fields for QuadraticTest {
         v.field("c", "the constant term", &mut self.c);
         v.field("discriminant", "b^2 - 4ac", &mut self.discriminant);
         self.roots.fields(v);
+        derived_verdict(why_no_hit(&self.roots, Why::NoRoot), v);
+        chosen_root(&self.roots, v);
     }
-}
-
-/// How many roots there are.
-#[derive(Clone, Copy, Default, PartialEq)]
-pub(in crate::trace) enum RootCount {
-    #[default]
-    None,
-    Graze,
-    Two,
-    Linear,
 }
 
 impl Fields for Roots {
@@ -192,8 +197,11 @@ impl Fields for Roots {
             (RootCount::Linear, Some(root), None) => Self::Linear(root),
             _ => return v.fail("\"roots\" does not fit \"near\" and \"far\""),
         };
-        chosen(self.chosen(), "the chosen root; absent: no hit", v);
     }
+}
+
+fn chosen_root<V: Visitor>(roots: &Roots, v: &mut V) {
+    chosen(roots.chosen(), "the chosen root; absent: no hit", v);
 }
 
 /// t of the hit: follows from the roots, and stands in the line for those who look for hits alone.
@@ -214,15 +222,6 @@ fn optional_root<V: Visitor>(root: &mut Option<Root>, [at, fate]: [&'static str;
         (None, None) => None,
         _ => return v.fail("a root has either both t and fate or neither"),
     };
-}
-
-/// Is a ray parallel to a slab?
-#[derive(Clone, Copy, Default, PartialEq)]
-pub(in crate::trace) enum Parallel {
-    #[default]
-    No,
-    Inside,
-    Outside,
 }
 
 /// Where a ray is inside a slab: whether it is parallel, and if not, near and far.
@@ -256,24 +255,17 @@ pub(in crate::trace) fn slab_interval<V: Visitor>(
 impl Fields for BoxTest {
     fn fields<V: Visitor>(&mut self, v: &mut V) {
         const KEYS: [[&str; 3]; 3] = [
-            ["x", "x_near", "x_far"],
-            ["y", "y_near", "y_far"],
-            ["z", "z_near", "z_far"],
+            ["x_parallel", "x_near", "x_far"],
+            ["y_parallel", "y_near", "y_far"],
+            ["z_parallel", "z_near", "z_far"],
         ];
         for (slab, keys) in self.slabs.iter_mut().zip(KEYS) {
             slab_interval(slab, keys, v);
         }
         self.roots.fields(v);
+        derived_verdict(of_box(self), v);
+        chosen_root(&self.roots, v);
     }
-}
-
-/// Is a ray parallel to a plane?
-#[derive(Clone, Copy, Default, PartialEq)]
-pub(in crate::trace) enum ToPlane {
-    #[default]
-    Meets,
-    Beside,
-    Within,
 }
 
 impl Fields for PlaneTest {
@@ -302,6 +294,7 @@ impl Fields for PlaneTest {
             (ToPlane::Within, None) => PlaneVerdict::ParallelWithin,
             _ => return v.fail("a plane is met at a root unless the ray is parallel to it"),
         };
+        derived_verdict(of_plane(self), v);
         let met = "where the plane is met, if that counts; polygon_test says whether inside";
         chosen(self.chosen(), met, v);
     }
@@ -364,6 +357,7 @@ impl Fields for PolygonTest {
             "the projected point or the ray",
             &mut self.decided_by,
         );
+        derived_verdict(of_polygon(self.inside), v);
     }
 }
 

@@ -3,6 +3,7 @@
 use glam::DVec3;
 
 use crate::scene::PrimitiveId;
+use crate::trace::PhotonFate;
 
 /// A light sends out a photon.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -15,20 +16,6 @@ pub struct PathStart {
     pub light: u32,
     /// What the photon carries, in watts: the power of all lights over the number of paths.
     pub power: DVec3,
-}
-
-/// What becomes of a photon at a surface.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum PhotonFate {
-    /// It goes on in the mirror direction.
-    Mirrored,
-    /// It goes on through the surface, bent by Snell's law.
-    Refracted,
-    /// It goes on in a direction of chance.
-    Diffused,
-    /// It ends.
-    #[default]
-    Absorbed,
 }
 
 /// A photon meets a surface, and chance decides (Russian roulette).

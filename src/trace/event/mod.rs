@@ -11,6 +11,7 @@ mod light;
 mod light_kinds;
 mod search;
 mod search_kinds;
+mod verdict;
 mod words;
 
 use glam::{DVec2, DVec3};
@@ -23,12 +24,15 @@ use crate::structure::{AssignStep, MergeStep};
 
 pub use kind::Kind;
 pub use light::{
-    Alternative, Arrival, Connection, Gathered, Nearby, PathStart, Photon, PhotonFate, Stored,
-    geometry_term,
+    Alternative, Arrival, Connection, Gathered, Nearby, PathStart, Photon, Stored, geometry_term,
 };
 pub use search::{
-    Aligned, AlignedPart, BoundOutcome, BoundTest, Bounded, CellVisit, GridEnter, GridExit,
-    HitOutsideCell, NodeOutcome, NodeVisit, QueueAction, QueueStep, SlabTest, WalkEnd, ZSort,
+    Aligned, BoundOutcome, BoundTest, Bounded, CellVisit, GridEnter, GridExit, HitOutsideCell,
+    NodeVisit, QueueStep, SlabTest, ZSort,
+};
+pub use words::{
+    AlignedPart, NodeOutcome, Outcome, PhotonFate, Purpose, QueueAction, Verdict, Visibility,
+    WalkEnd, Why,
 };
 
 /// One step of the working. `Copy` and at most 128 bytes, so that a record of many is one block.
@@ -177,24 +181,11 @@ pub struct PixelColour {
     pub clamped: DVec3,
 }
 
-/// What a ray is cast for.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub enum Purpose {
-    /// From the COP through the window.
-    #[default]
-    Eye,
-    /// From a surface to a light.
-    Shadow,
-    /// On from a surface in the mirror direction.
-    Reflected,
-    /// On through a surface, bent by Snell's law.
-    Refracted,
-    /// On from a diffuse surface, in a direction of chance.
-    Scattered,
-    /// From a light, and on from surface to surface: a leg of a path of light.
-    Light,
-    /// Between a path of light and a path from the eye.
-    Connection,
+impl PixelColour {
+    /// The colour in 8 bits a channel, without gamma: 255 times `clamped`, rounded.
+    pub fn rgb(&self) -> [u8; 3] {
+        (self.clamped * 255.0).round().to_array().map(|of| of as u8)
+    }
 }
 
 /// A ray at its start.
@@ -212,28 +203,6 @@ pub struct RayStart {
     pub window_t: Option<f64>,
     /// The light that a shadow ray is cast to, or that the first leg of a path comes from.
     pub light: Option<u32>,
-}
-
-/// How a ray ended.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Outcome {
-    /// It met an object.
-    Hit,
-    /// It met nothing and sees the background.
-    #[default]
-    Miss,
-    /// A shadow ray met an object before its light.
-    Blocked,
-    /// A shadow ray reached its light.
-    ReachesLight,
-    /// It was not traced: the depth limit is reached.
-    DepthLimit,
-    /// It met an object, which absorbed what it carried.
-    Absorbed,
-    /// It met one surface more than its path may meet.
-    CutOff,
-    /// It connects its two ends: nothing stands between them.
-    Connects,
 }
 
 /// A ray at its end.
@@ -262,20 +231,6 @@ pub struct Nearest {
     pub t: f64,
     /// What was the nearest before.
     pub replaced: Option<PrimitiveId>,
-}
-
-/// Does a light reach a point?
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Visibility {
-    /// Its shadow ray arrived.
-    #[default]
-    Visible,
-    /// Its shadow ray was blocked.
-    Shadowed,
-    /// N·L ≤ 0: the surface faces away, and no shadow ray is cast.
-    FacesAway,
-    /// The transport casts no rays to lights: it counts as visible.
-    NotTested,
 }
 
 /// What one light adds.

@@ -7,6 +7,7 @@ use glam::DVec3;
 use crate::geometry::TRange;
 use crate::scene::PrimitiveId;
 use crate::structure::{SlabStep, VolumeKind};
+use crate::trace::{AlignedPart, NodeOutcome, QueueAction, WalkEnd};
 
 /// What a bounding volume is around.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -71,18 +72,6 @@ pub struct SlabTest {
     pub step: SlabStep,
 }
 
-/// What became of a node?
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum NodeOutcome {
-    /// What is below it is looked at.
-    Entered,
-    /// The ray does not meet its bound in front of it.
-    #[default]
-    Rejected,
-    /// Its bound begins behind a hit that is known.
-    Pruned,
-}
-
 /// A node of the hierarchy was come to.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct NodeVisit {
@@ -98,18 +87,6 @@ pub struct NodeVisit {
     pub near: Option<f64>,
     /// What became of it.
     pub outcome: NodeOutcome,
-}
-
-/// Into the heap or out of it.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum QueueAction {
-    /// A node was put into the heap.
-    #[default]
-    Push,
-    /// The node at its top was taken out.
-    Pop,
-    /// The node at its top begins behind the nearest hit: the search ends, and the rest stays untouched.
-    Stop,
 }
 
 /// The heap of the nodes that wait, the nearest at its top.
@@ -160,18 +137,6 @@ pub struct HitOutsideCell {
     pub t_out: f64,
 }
 
-/// Why a walk ended.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum WalkEnd {
-    /// The ray left the grid, or its range ended.
-    #[default]
-    Left,
-    /// The nearest hit lies in this cell: no later one can hold a nearer.
-    HitInCell,
-    /// The ray pierces no cell in its range.
-    Outside,
-}
-
 /// The walk through the grid ends.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct GridExit {
@@ -179,22 +144,6 @@ pub struct GridExit {
     pub end: WalkEnd,
     /// How many cells were visited.
     pub cells: u32,
-}
-
-/// What an aligned point is of its object.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum AlignedPart {
-    /// The center of a sphere, an ellipsoid or a box.
-    #[default]
-    Center,
-    /// A half axis of an ellipsoid or a box: a vector, which turns and does not move.
-    HalfAxis,
-    /// A vertex of a polygon.
-    Vertex,
-    /// The center of a cone's base.
-    Base,
-    /// The center of a cone's apex.
-    Apex,
 }
 
 /// A point of an object in the frame in which the ray is the z axis.

@@ -1,13 +1,15 @@
 //! The fields of the events of the search, in the order of the log line.
 
-use crate::geometry::Alignment;
-use crate::structure::{AssignStep, MergeStep, SlabStep};
+use crate::geometry::{Alignment, SlabInterval};
+use crate::structure::{AssignStep, MergeStep, SlabOutcome, SlabStep};
 use crate::trace::event::fields::{Fields, Visitor};
 use crate::trace::event::kinds::{object_field, slab_interval};
 use crate::trace::event::search::{
     Aligned, BoundTest, Bounded, CellVisit, GridEnter, GridExit, HitOutsideCell, NodeVisit,
     QueueStep, SlabTest, ZSort,
 };
+use crate::trace::event::verdict::{of_bound, of_slab, verdict_fields};
+use crate::trace::{BoundOutcome, Why};
 
 /// What a volume is around: either key is there.
 fn bounded<V: Visitor>(of: &mut Bounded, v: &mut V) {
@@ -94,11 +96,15 @@ impl Fields for BoundTest {
         v.field("volume", "the form of the volume", &mut self.volume);
         let meanings = ["where the ray enters it", "where the ray leaves it"];
         stretch(&mut self.inside, ["near", "far"], meanings, v);
-        v.field(
-            "outcome",
-            "is what is inside looked at, and why not",
-            &mut self.outcome,
-        );
+        let mut why = of_bound(self.outcome);
+        verdict_fields(&mut why, v);
+        self.outcome = match why {
+            None => BoundOutcome::Hit,
+            Some(Why::Missed) => BoundOutcome::Missed,
+            Some(Why::Behind) => BoundOutcome::Behind,
+            Some(Why::BeyondNearest) => BoundOutcome::Beyond,
+            Some(_) => return v.fail("a bound is rejected as missed, behind or beyond_nearest"),
+        };
     }
 }
 
@@ -136,11 +142,20 @@ impl Fields for SlabStep {
         );
         let meaning = "the smallest far up to this slab; absent: none";
         unbounded("min_far", meaning, &mut self.min_far, f64::INFINITY, v);
-        v.field(
-            "outcome",
-            "is the next slab looked at, and why not",
-            &mut self.outcome,
-        );
+        let mut why = of_slab(self.outcome);
+        verdict_fields(&mut why, v);
+        let is_parallel = !matches!(self.interval, SlabInterval::Between { .. });
+        self.outcome = match why {
+            None if is_parallel => SlabOutcome::ParallelInside,
+            None => SlabOutcome::GoesOn,
+            Some(Why::Empty) => SlabOutcome::Null,
+            Some(Why::Parallel) if is_parallel => SlabOutcome::ParallelOutside,
+            Some(_) => {
+                return v.fail(
+                    "a slab is rejected as empty, or as parallel if the ray is parallel to it",
+                );
+            }
+        };
     }
 }
 

@@ -7,7 +7,7 @@ use serde_json::{Map, Value, json};
 use crate::scene::{PrimitiveId, SceneFile};
 use crate::trace::event::fields::{Field, Fields, Visitor};
 use crate::trace::event::kind::KindPlace;
-use crate::trace::log::writer::{Header, ObjectLine};
+use crate::trace::log::writer::{Header, LOG_VERSION, ObjectLine};
 use crate::trace::{Event, Kind};
 
 /// The JSON Schema (draft 2020-12) of a scene file.
@@ -23,7 +23,11 @@ pub fn trace_schema() -> Value {
     let header = generator.subschema_for::<Header>().to_value();
     let object = generator.subschema_for::<ObjectLine>().to_value();
     let mut lines = vec![
-        of_kind("trace", json!({ "version": { "const": 1 } }), &header),
+        of_kind(
+            "trace",
+            json!({ "version": { "const": LOG_VERSION } }),
+            &header,
+        ),
         of_kind("object", json!({}), &object),
     ];
     lines.extend(Kind::ALL.map(event_schema));

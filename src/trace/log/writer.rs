@@ -14,7 +14,7 @@ use crate::trace::log::fast::short_text::ShortText;
 use crate::trace::{Kind, Record, Settings, Sink};
 
 /// The version of the log that this program writes and reads.
-pub const LOG_VERSION: u32 = 1;
+pub const LOG_VERSION: u32 = 2;
 
 /// The first line: how the trace was made, and the scene but for its objects.
 #[derive(Clone, Debug, PartialEq, Serialize, serde::Deserialize, schemars::JsonSchema)]
@@ -22,7 +22,7 @@ pub const LOG_VERSION: u32 = 1;
 pub(in crate::trace) struct Header {
     /// `trace`.
     pub(in crate::trace) kind: String,
-    /// The version of the format: 1.
+    /// The version of the format: 2.
     pub(in crate::trace) version: u32,
     /// What the scene shows.
     #[serde(default)]
