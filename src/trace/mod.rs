@@ -19,7 +19,6 @@ pub use log::{
     Through, Transport, begins_log, scene_schema, trace_schema, write_log_head,
 };
 pub use record::{
-    Budget, Counts, EventBlocks, Filter, Item, Kinds, LightCount, Off, PathSieve, RayCount,
-    RayNode, RayTree, Record, Recorder, Recording, Region, SearchCount, Sink, TestCount,
-    UsefulRays,
+    Budget, Counts, Filter, Item, Kinds, LightCount, Off, PathSieve, RayCount, RayNode, RayTree,
+    Record, Recorder, Recording, Region, SearchCount, Sink, TestCount, UsefulRays,
 };

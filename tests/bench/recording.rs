@@ -23,9 +23,9 @@ use std::path::Path;
 use std::time::{Duration, Instant};
 
 use raystep::{
-    Event, EventBlocks, Exhaustive, Kinds, LineSink, LogNames, LogOptions, LogReader, LogStopped,
-    LoggedPaths, Off, Record, Recorder, Recording, Region, Scene, Settings, Tracer, load,
-    trace_pixel, write_log, write_log_head,
+    Event, Exhaustive, Kinds, LineSink, LogNames, LogOptions, LogReader, LogStopped, LoggedPaths,
+    Off, Record, Recorder, Recording, Region, Scene, Settings, Tracer, load, trace_pixel,
+    write_log, write_log_head,
 };
 use serde_json::Value;
 
@@ -167,7 +167,7 @@ fn main() -> io::Result<()> {
     let bytes: usize = parts.iter().map(|part| part.log.len()).sum();
 
     let few = few_of_each(&parts);
-    let mut kept = EventBlocks::default();
+    let mut kept = Kept::default();
     let sinks = parts.iter().map(|part| LineSink::new(&part.names));
     let mut recordings: Vec<_> = sinks.map(Recording::new).collect();
     let mut unwritten = recordings.clone();
@@ -268,10 +268,23 @@ fn few_of_each(parts: &[Part]) -> Vec<Event> {
     some.copied().collect()
 }
 
-/// The same few events again and again into the same blocks, which are emptied each time.
-fn into_memory(few: &[Event], events: usize, kept: &mut EventBlocks) {
+/// Keeps events in a list that is emptied and filled again.
+#[derive(Default)]
+struct Kept(Vec<Event>);
+
+impl Recorder for Kept {
+    const ENABLED: bool = true;
+
+    #[inline]
+    fn note(&mut self, event: impl FnOnce() -> Event) {
+        self.0.push(event());
+    }
+}
+
+/// The same few events again and again into the same list, which is emptied each time.
+fn into_memory(few: &[Event], events: usize, kept: &mut Kept) {
     for _ in 0..events / few.len() {
-        kept.clear();
+        kept.0.clear();
         for event in few {
             kept.note(|| *event);
         }

@@ -1,13 +1,9 @@
-//! The events of the search for what a ray meets: bounds, nodes, cells, alignment.
-//!
-//! The steps that a structure's walk yields are wrapped as they are; what a strategy decides is defined here.
-
-use glam::DVec3;
+//! What the events of the search have in common: bounding volumes, and where a ray is inside.
 
 use crate::geometry::TRange;
-use crate::scene::PrimitiveId;
-use crate::structure::{SlabStep, VolumeKind};
-use crate::trace::{AlignedPart, NodeOutcome, QueueAction, WalkEnd};
+use crate::trace::event::fields::{Fields, Visitor};
+use crate::trace::event::verdict::Judged;
+use crate::trace::event::words::Why;
 
 /// What a bounding volume is around.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -21,6 +17,26 @@ pub enum Bounded {
 impl Default for Bounded {
     fn default() -> Self {
         Self::Node(0)
+    }
+}
+
+/// Either key is there.
+impl Fields for Bounded {
+    fn fields<V: Visitor>(&mut self, v: &mut V) {
+        let (mut object, mut node) = match *self {
+            Self::Object(object) => (Some(object), None),
+            Self::Node(node) => (None, Some(node)),
+        };
+        let meaning = "The object that the volume is around; absent: it is around a node.";
+        v.whole_object("object", meaning, &mut object);
+        let meaning =
+            "The number of the node that the volume is around; absent: it is around an object.";
+        v.optional("node", meaning, &mut node);
+        *self = match (object, node) {
+            (Some(object), None) => Self::Object(object),
+            (None, Some(node)) => Self::Node(node),
+            _ => return v.fail("a volume is around either an \"object\" or a \"node\""),
+        };
     }
 }
 
@@ -48,126 +64,47 @@ impl BoundOutcome {
             Some(_) => Self::Hit,
         }
     }
+
+    /// Why the volume is rejected, if it is.
+    pub(super) fn why(self) -> Option<Why> {
+        match self {
+            Self::Hit => None,
+            Self::Missed => Some(Why::Missed),
+            Self::Behind => Some(Why::Behind),
+            Self::Beyond => Some(Why::BeyondNearest),
+        }
+    }
 }
 
-/// A ray was tested against a bounding volume.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct BoundTest {
-    /// What the volume is around.
-    pub of: Bounded,
-    /// Its form.
-    pub volume: VolumeKind,
-    /// Where the ray enters it and leaves it; `None` if it passes by.
-    pub inside: Option<[f64; 2]>,
-    /// What follows from that.
-    pub outcome: BoundOutcome,
+impl Fields for BoundOutcome {
+    fn fields<V: Visitor>(&mut self, v: &mut V) {
+        let mut judged = Judged(self.why());
+        judged.fields(v);
+        *self = match judged.0 {
+            None => Self::Hit,
+            Some(Why::Missed) => Self::Missed,
+            Some(Why::Behind) => Self::Behind,
+            Some(Why::BeyondNearest) => Self::Beyond,
+            Some(_) => return v.fail("a bound is rejected as missed, behind or beyond_nearest"),
+        };
+    }
 }
 
-/// A ray was tested against one slab of a bound.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct SlabTest {
-    /// What the bound is around.
-    pub of: Bounded,
-    /// The working.
-    pub step: SlabStep,
-}
+/// Where a ray is inside a volume: the t at which it enters and leaves; `None` if it passes by.
+pub(in crate::trace) type Stretch = Option<[f64; 2]>;
 
-/// A node of the hierarchy was come to.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct NodeVisit {
-    /// Its number; the root is 0.
-    pub node: u32,
-    /// How deep it lies; the root at 0.
-    pub depth: u32,
-    /// How many nodes are directly below it.
-    pub children: u32,
-    /// How many objects are, in a leaf.
-    pub objects: u32,
-    /// Where the ray enters its bound, if it does.
-    pub near: Option<f64>,
-    /// What became of it.
-    pub outcome: NodeOutcome,
-}
-
-/// The heap of the nodes that wait, the nearest at its top.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct QueueStep {
-    /// What was done.
-    pub action: QueueAction,
-    /// The node.
-    pub node: u32,
-    /// Where the ray enters its bound: the estimated distance.
-    pub key: f64,
-    /// How many nodes wait afterwards.
-    pub size: u32,
-}
-
-/// A ray comes to the grid.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct GridEnter {
-    /// The smallest coordinates of the scene's box.
-    pub min: DVec3,
-    /// The largest.
-    pub max: DVec3,
-    /// Cells along x, y and z.
-    pub resolution: [u32; 3],
-    /// Where the ray is inside the box; `None` if it passes by.
-    pub inside: Option<[f64; 2]>,
-    /// The first cell; `None` if no cell is pierced in the ray's range.
-    pub cell: Option<[u32; 3]>,
-}
-
-/// A cell's list is looked at.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct CellVisit {
-    /// Where the ray is in it and goes next.
-    pub step: crate::structure::CellStep,
-    /// How many objects are on its list.
-    pub listed: u32,
-}
-
-/// A hit lies beyond the cell whose list the object was on: it is kept, and the walk goes on.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct HitOutsideCell {
-    /// What was hit.
-    pub object: PrimitiveId,
-    /// Where.
-    pub t: f64,
-    /// Where the ray leaves the cell.
-    pub t_out: f64,
-}
-
-/// The walk through the grid ends.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct GridExit {
-    /// Why.
-    pub end: WalkEnd,
-    /// How many cells were visited.
-    pub cells: u32,
-}
-
-/// A point of an object in the frame in which the ray is the z axis.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Aligned {
-    /// The object.
-    pub object: PrimitiveId,
-    /// What the point is of it.
-    pub part: AlignedPart,
-    /// Which of several, from 0.
-    pub index: u32,
-    /// The point before.
-    pub from: DVec3,
-    /// The point after.
-    pub to: DVec3,
-}
-
-/// A hit in its place in the z sort.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct ZSort {
-    /// Its place, from 0: the nearest.
-    pub place: u32,
-    /// What was hit.
-    pub object: PrimitiveId,
-    /// Where: its z, which is the ray's t.
-    pub z: f64,
+/// Both keys are there, or neither.
+impl Fields for Stretch {
+    fn fields<V: Visitor>(&mut self, v: &mut V) {
+        let (mut near, mut far) = self.map(|[near, far]| (near, far)).unzip();
+        let meaning = "t at which the ray enters it; absent: it passes by.";
+        v.optional("near", meaning, &mut near);
+        let meaning = "t at which the ray leaves it; absent: it passes by.";
+        v.optional("far", meaning, &mut far);
+        *self = match (near, far) {
+            (Some(near), Some(far)) => Some([near, far]),
+            (None, None) => None,
+            _ => return v.fail("a stretch of the ray has two ends"),
+        };
+    }
 }

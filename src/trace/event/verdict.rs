@@ -1,37 +1,13 @@
 //! What became of a test: one pair of words for all kinds of tests, `verdict` and, where rejected, `why`.
 
-use crate::geometry::{BoxTest, Fate, PlaneTest, PlaneVerdict, Roots, SlabInterval};
+use crate::geometry::{
+    BoxTest, Fate, PlaneTest, PlaneVerdict, PolygonTest, QuadraticTest, Roots, SlabInterval,
+};
 use crate::structure::SlabOutcome;
-use crate::trace::event::fields::Visitor;
-use crate::trace::event::{BoundOutcome, Event, Verdict, Why};
+use crate::trace::event::fields::{Fields, Visitor};
+use crate::trace::event::words::{Verdict, Why};
 
-impl Event {
-    /// What became of a test, and if it was rejected, why. `None` for all that is no test.
-    ///
-    /// ```
-    /// use raystep::{Event, PolygonTest, PrimitiveId, Verdict, Why};
-    ///
-    /// let test = PolygonTest { inside: false, ..PolygonTest::default() };
-    /// let event = Event::PolygonTest { object: PrimitiveId(0), test };
-    /// assert_eq!(event.verdict(), Some((Verdict::Rejected, Some(Why::Outside))));
-    /// ```
-    pub fn verdict(&self) -> Option<(Verdict, Option<Why>)> {
-        let why = match self {
-            Self::SphereTest { test, .. }
-            | Self::EllipsoidTest { test, .. }
-            | Self::ConeTest { test, .. } => why_no_hit(&test.roots, Why::NoRoot),
-            Self::BoxTest { test, .. } => of_box(test),
-            Self::PlaneTest { test, .. } => of_plane(test),
-            Self::PolygonTest { test, .. } => of_polygon(test.inside),
-            Self::BoundTest(test) => of_bound(test.outcome),
-            Self::SlabTest(test) => of_slab(test.step.outcome),
-            _ => return None,
-        };
-        Some((verdict(why), why))
-    }
-}
-
-const fn verdict(why: Option<Why>) -> Verdict {
+pub(super) const fn verdict(why: Option<Why>) -> Verdict {
     match why {
         None => Verdict::Hit,
         Some(_) => Verdict::Rejected,
@@ -57,7 +33,7 @@ impl Why {
 ///
 /// Of two rejected roots the nearer one in front of the origin has the reason. If both lie behind the origin or at it,
 /// the further one has it. Without a root the reason is `without`.
-pub(super) fn why_no_hit(roots: &Roots, without: Why) -> Option<Why> {
+fn why_no_hit(roots: &Roots, without: Why) -> Option<Why> {
     if roots.chosen().is_some() {
         return None;
     }
@@ -65,6 +41,10 @@ pub(super) fn why_no_hit(roots: &Roots, without: Why) -> Option<Why> {
     let root = roots.iter().find(|root| in_front(root.fate));
     let root = root.or_else(|| roots.iter().last());
     root.map_or(Some(without), |root| Why::of_root(root.fate))
+}
+
+pub(super) fn of_quadratic(test: &QuadraticTest) -> Option<Why> {
+    why_no_hit(&test.roots, Why::NoRoot)
 }
 
 pub(super) fn of_box(test: &BoxTest) -> Option<Why> {
@@ -83,17 +63,8 @@ pub(super) fn of_plane(test: &PlaneTest) -> Option<Why> {
     }
 }
 
-pub(super) fn of_polygon(inside: bool) -> Option<Why> {
-    (!inside).then_some(Why::Outside)
-}
-
-pub(super) fn of_bound(outcome: BoundOutcome) -> Option<Why> {
-    match outcome {
-        BoundOutcome::Hit => None,
-        BoundOutcome::Missed => Some(Why::Missed),
-        BoundOutcome::Behind => Some(Why::Behind),
-        BoundOutcome::Beyond => Some(Why::BeyondNearest),
-    }
+pub(super) fn of_polygon(test: &PolygonTest) -> Option<Why> {
+    (!test.inside).then_some(Why::Outside)
 }
 
 pub(super) fn of_slab(outcome: SlabOutcome) -> Option<Why> {
@@ -104,22 +75,30 @@ pub(super) fn of_slab(outcome: SlabOutcome) -> Option<Why> {
     }
 }
 
-/// The verdict of a test that nothing else in its line says.
-pub(super) fn verdict_fields<V: Visitor>(why: &mut Option<Why>, v: &mut V) {
-    let mut found = verdict(*why);
-    v.field("verdict", "what became of the test", &mut found);
-    v.optional("why", "why the test was rejected; absent: it was not", why);
-    if found != verdict(*why) {
-        v.fail("a test has a \"why\" if it is rejected, and only then");
+/// A verdict as two fields: why a test was rejected, if it was.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Judged(pub(super) Option<Why>);
+
+impl Fields for Judged {
+    fn fields<V: Visitor>(&mut self, v: &mut V) {
+        let mut found = verdict(self.0);
+        v.field("verdict", "What became of the test.", &mut found);
+        let meaning = "Why the test was rejected; absent: it was not.";
+        v.optional("why", meaning, &mut self.0);
+        if found != verdict(self.0) {
+            v.fail("a test has a \"why\" if it is rejected, and only then");
+        }
     }
 }
 
-/// The verdict of a test that follows from the rest of its line, for those who look for it alone.
-pub(super) fn derived_verdict<V: Visitor>(why: Option<Why>, v: &mut V) {
-    let mut found = why;
-    verdict_fields(&mut found, v);
-    if found != why {
-        v.fail("\"verdict\" or \"why\" does not follow from the test");
+impl Judged {
+    /// A verdict that follows from the rest of the line, and stands in it for whoever looks for it alone.
+    pub(super) fn derived<V: Visitor>(why: Option<Why>, v: &mut V) {
+        let mut found = Self(why);
+        found.fields(v);
+        if found.0 != why {
+            v.fail("\"verdict\" or \"why\" does not follow from the test");
+        }
     }
 }
 

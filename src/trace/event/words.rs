@@ -5,14 +5,7 @@
 
 use crate::geometry::{Axis, DecidedBy, Fate};
 use crate::structure::{Across, Share, VolumeKind};
-use crate::trace::event::fields::{QuotedWord, Word};
-
-/// A word between its quotation marks.
-const fn quoted(word: &str) -> QuotedWord {
-    QuotedWord::EMPTY
-        .with(word.as_bytes())
-        .expect("longer than any word")
-}
+use crate::trace::event::fields::Word;
 
 /// Gives each value of an enum its word and its meaning.
 macro_rules! words {
@@ -38,12 +31,19 @@ macro_rules! words {
                 &[$(($type::$value, $word, concat!($($meaning),+))),+];
 
             #[inline]
-            fn quoted(self) -> &'static QuotedWord {
-                match self {
-                    $($type::$value => const { &quoted(concat!("\"", $word, "\"")) }),+
-                }
+            fn place(self) -> usize {
+                self as usize
             }
         }
+
+        // the words stand in the order of the values
+        const _: () = {
+            let mut at = 0;
+            while at < $type::WORDS.len() {
+                assert!($type::WORDS[at].0 as usize == at);
+                at += 1;
+            }
+        };
     };
 }
 

@@ -4,7 +4,7 @@ use std::fmt;
 use std::io;
 
 use crate::scene::{SceneFault, printable};
-use crate::trace::log::writer::LOG_VERSION;
+use crate::trace::log::head::LOG_VERSION;
 
 /// Why a log could not be read: what, where, and what to do about it.
 #[derive(Debug)]

@@ -7,7 +7,7 @@ use serde::de::{Deserialize, Deserializer, Error, MapAccess, SeqAccess, Visitor}
 
 /// A value of a flat object.
 #[derive(Clone, Debug, PartialEq)]
-pub(in crate::trace) enum Json<'a> {
+pub(super) enum Json<'a> {
     Number(f64),
     Flag(bool),
     Text(Cow<'a, str>),
@@ -16,7 +16,7 @@ pub(in crate::trace) enum Json<'a> {
 
 /// The fields of a line, in their order. No key comes twice.
 #[derive(Clone, Debug, Default)]
-pub(in crate::trace) struct FlatJson<'a> {
+pub(super) struct FlatJson<'a> {
     fields: Vec<(Cow<'a, str>, Json<'a>)>,
     /// Where the next key is looked for first: the lines are read in the order they are written in.
     next: usize,
@@ -25,7 +25,7 @@ pub(in crate::trace) struct FlatJson<'a> {
 
 impl<'a> FlatJson<'a> {
     /// The value of a key; each is asked for once.
-    pub(in crate::trace) fn take(&mut self, key: &str) -> Option<&Json<'a>> {
+    pub(super) fn take(&mut self, key: &str) -> Option<&Json<'a>> {
         let count = self.fields.len();
         let at = (0..count)
             .map(|offset| (self.next + offset) % count)
@@ -36,18 +36,18 @@ impl<'a> FlatJson<'a> {
     }
 
     /// The value of a key, without counting it as asked for.
-    pub(in crate::trace) fn peek(&self, key: &str) -> Option<&Json<'a>> {
+    pub(super) fn peek(&self, key: &str) -> Option<&Json<'a>> {
         let found = self.fields.iter().find(|(name, _)| name == key);
         found.map(|(_, value)| value)
     }
 
     /// Were all fields asked for?
-    pub(in crate::trace) fn all_taken(&self) -> bool {
+    pub(super) fn all_taken(&self) -> bool {
         self.taken == self.fields.len()
     }
 
     /// The keys.
-    pub(in crate::trace) fn keys(&self) -> impl Iterator<Item = &str> {
+    pub(super) fn keys(&self) -> impl Iterator<Item = &str> {
         self.fields.iter().map(|(key, _)| &**key)
     }
 }

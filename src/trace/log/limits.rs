@@ -11,7 +11,7 @@ use crate::trace::{Bounded, Event, GridEnter, Record, Settings};
 
 /// How many there are of what events name by numbers.
 #[derive(Debug)]
-pub(in crate::trace) struct Limits {
+pub(super) struct Limits {
     /// Columns and rows.
     pixels: [u32; 2],
     /// Objects, each face of a mesh one of them.
@@ -28,7 +28,7 @@ pub(in crate::trace) struct Limits {
 
 impl Limits {
     /// The limits of a log with this head.
-    pub(in crate::trace) fn new(scene: &Scene, settings: &Settings) -> Self {
+    pub(super) fn new(scene: &Scene, settings: &Settings) -> Self {
         let slabs = match settings.structure.slabs {
             SlabChoice::Axes => 3,
             SlabChoice::Seven => 7,
@@ -48,7 +48,7 @@ impl Limits {
 
     /// Can there be what the record names by a number?
     #[inline]
-    pub(in crate::trace) fn check(&mut self, record: &Record) -> Result<(), Damage> {
+    pub(super) fn check(&mut self, record: &Record) -> Result<(), Damage> {
         record.pixel.map_or(Ok(()), |pixel| self.pixel(pixel))?;
         record.path.map_or(Ok(()), |path| self.path(path))?;
         match &record.event {

@@ -1,21 +1,21 @@
 //! One line of a log back into a record, or the first thing that is wrong with it.
 
 use crate::scene::{PrimitiveId, nearest_name};
-use crate::trace::event::fields::{Field, Fields, Visitor};
-use crate::trace::log::fast::line_scanner::scan_event;
+use crate::trace::event::fields::{Field, Fields, ValueReader, Visitor, Word};
+use crate::trace::log::fast::scan_event;
 use crate::trace::log::flat_json::{FlatJson, Json};
 use crate::trace::log::name_table::NameTable;
 use crate::trace::{Kind, LogError, Record};
 
 /// What is wrong in a line.
-pub(in crate::trace) struct Damage {
-    pub(in crate::trace) column: Option<usize>,
-    pub(in crate::trace) what: String,
+pub(super) struct Damage {
+    pub(super) column: Option<usize>,
+    pub(super) what: String,
 }
 
 impl Damage {
     /// Damage to a line that is JSON.
-    pub(in crate::trace) fn new(what: impl Into<String>) -> Self {
+    pub(super) fn new(what: impl Into<String>) -> Self {
         Self {
             column: None,
             what: what.into(),
@@ -23,7 +23,7 @@ impl Damage {
     }
 
     /// What `serde_json` said, with its place taken out of the sentence.
-    pub(in crate::trace) fn json(error: &serde_json::Error) -> Self {
+    pub(super) fn json(error: &serde_json::Error) -> Self {
         let message = error.to_string();
         let end = message.rfind(" at line ").unwrap_or(message.len());
         Self {
@@ -33,7 +33,7 @@ impl Damage {
     }
 
     /// The error, with its place.
-    pub(in crate::trace) fn at(self, file: &str, line: usize) -> LogError {
+    pub(super) fn at(self, file: &str, line: usize) -> LogError {
         LogError::Line {
             file: file.into(),
             line,
@@ -45,7 +45,7 @@ impl Damage {
 
 /// Fills in the record that a line holds: in its place, for to copy a record takes as long as to read a number.
 #[inline]
-pub(in crate::trace) fn parse_event(
+pub(super) fn parse_event(
     line: &[u8],
     names: &NameTable,
     record: &mut Record,
@@ -57,7 +57,7 @@ pub(in crate::trace) fn parse_event(
 }
 
 /// The same for a line whose keys stand in any order, and in whatever form JSON allows.
-pub(in crate::trace) fn read_event(line: &[u8], names: &NameTable) -> Result<Record, Damage> {
+pub(super) fn read_event(line: &[u8], names: &NameTable) -> Result<Record, Damage> {
     if line.trim_ascii().is_empty() {
         return Err(Damage::new("the line is empty"));
     }
@@ -78,24 +78,11 @@ pub(in crate::trace) fn read_event(line: &[u8], names: &NameTable) -> Result<Rec
         fields,
         damage: None,
     };
-    let mut record = blank(kind);
+    let mut record = Record::blank(kind);
     reader.fields.take("kind");
     record.fields(&mut reader);
     reader.finish(kind)?;
     Ok(record)
-}
-
-/// A record of this kind with nothing in it.
-#[inline]
-pub(in crate::trace) fn blank(kind: Kind) -> Record {
-    Record {
-        pixel: None,
-        path: None,
-        step: 0,
-        ray: None,
-        parent: None,
-        event: kind.blank(),
-    }
 }
 
 /// Takes each field out of the line; keeps the first thing that is wrong.
@@ -148,7 +135,7 @@ impl Visitor for LineReader<'_> {
 
     #[inline]
     fn optional<T: Field>(&mut self, key: &'static str, _: &'static str, value: &mut Option<T>) {
-        let found = self.fields.take(key).map(T::read);
+        let found = self.fields.take(key).map(|mut json| T::read(&mut json));
         *value = found.and_then(|found| self.expect(key, found));
     }
 
@@ -210,5 +197,62 @@ impl Visitor for LineReader<'_> {
 
     fn fail(&mut self, why: &'static str) {
         self.wrong(why.into());
+    }
+}
+
+/// What was expected is said in words.
+impl ValueReader for &Json<'_> {
+    type Wrong = String;
+
+    fn number(&mut self) -> Result<f64, String> {
+        match self {
+            Json::Number(value) => Ok(*value),
+            _ => Err("a number".into()),
+        }
+    }
+
+    fn whole(&mut self) -> Result<u32, String> {
+        match **self {
+            Json::Number(value)
+                if (0.0..=f64::from(u32::MAX)).contains(&value) && value.fract() == 0.0 =>
+            {
+                Ok(value as u32)
+            }
+            _ => Err("a whole number of 0 or more".into()),
+        }
+    }
+
+    fn flag(&mut self) -> Result<bool, String> {
+        match self {
+            Json::Flag(value) => Ok(*value),
+            _ => Err("true or false".into()),
+        }
+    }
+
+    fn word<W: Word>(&mut self) -> Result<W, String> {
+        let found = match self {
+            Json::Text(text) => W::WORDS.iter().find(|(_, word, _)| *word == *text),
+            _ => None,
+        };
+        found.map(|(value, ..)| *value).ok_or_else(|| {
+            let words: Vec<_> = W::WORDS.iter().map(|(_, word, _)| *word).collect();
+            format!("one of {}", words.join(", "))
+        })
+    }
+
+    fn list<T: Field, const N: usize>(&mut self) -> Result<[T; N], String> {
+        let values = match self {
+            Json::List(values) if values.len() == N => values,
+            _ => return Err(format!("a list of {N} numbers")),
+        };
+        let mut items = [T::default(); N];
+        for (item, value) in items.iter_mut().zip(values) {
+            *item = T::read(&mut &Json::Number(*value))?;
+        }
+        Ok(items)
+    }
+
+    fn wrong(&mut self, expected: &'static str) -> String {
+        expected.into()
     }
 }

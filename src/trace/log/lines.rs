@@ -10,7 +10,7 @@ use crate::trace::log::line_reader::Damage;
 
 /// The lines of an input, and where it stands.
 #[derive(Debug)]
-pub(in crate::trace) struct LogLines<R> {
+pub(super) struct LogLines<R> {
     file: String,
     input: R,
     /// The number of the line that was read last, from 1.
@@ -33,7 +33,7 @@ enum LastLine {
 
 impl<R: BufRead> LogLines<R> {
     /// The lines of this input; its name is for errors.
-    pub(in crate::trace) fn new(file: &str, input: R) -> Self {
+    pub(super) fn new(file: &str, input: R) -> Self {
         Self {
             file: file.into(),
             input,
@@ -45,7 +45,7 @@ impl<R: BufRead> LogLines<R> {
     }
 
     /// The name of the input.
-    pub(in crate::trace) fn file(&self) -> &str {
+    pub(super) fn file(&self) -> &str {
         &self.file
     }
 
@@ -54,7 +54,7 @@ impl<R: BufRead> LogLines<R> {
     /// # Errors
     /// An input that cannot be read, and a line that was cut off.
     #[inline]
-    pub(in crate::trace) fn next(&mut self) -> Result<Option<&[u8]>, LogError> {
+    pub(super) fn next(&mut self) -> Result<Option<&[u8]>, LogError> {
         if !std::mem::take(&mut self.again) {
             if let LastLine::Buffered(length) = self.last {
                 self.input.consume(length);
@@ -80,12 +80,12 @@ impl<R: BufRead> LogLines<R> {
     }
 
     /// Gives the last line again as the next one.
-    pub(in crate::trace) fn put_back(&mut self) {
+    pub(super) fn put_back(&mut self) {
         self.again = true;
     }
 
     /// The error that the last line is damaged.
-    pub(in crate::trace) fn damaged(&self, damage: Damage) -> LogError {
+    pub(super) fn damaged(&self, damage: Damage) -> LogError {
         damage.at(&self.file, self.number)
     }
 

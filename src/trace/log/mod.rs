@@ -1,23 +1,33 @@
 //! The log as JSON Lines: a head with the settings and the scene, then one line for each event.
+//!
+//! [`line_writer`] writes a line and [`line_reader`] reads it; `fast` does the same for logs of many lines: its
+//! `EventWriter` is what a log is written with, and [`line_reader`] asks its scanner first.
 
 mod error;
-pub(in crate::trace) mod fast;
-pub(in crate::trace) mod flat_json;
+mod fast;
+mod flat_json;
+mod head;
 mod light_options;
 mod limits;
 mod line_reader;
+mod line_sink;
+mod line_writer;
 mod lines;
 mod name_table;
+mod names;
+mod place;
 mod reader;
 mod schema;
 mod settings;
-mod writer;
 
 pub use error::LogError;
+pub(crate) use fast::EventWriter;
+pub use head::{LOG_VERSION, write_log_head};
 pub use light_options::LightOptions;
+pub use line_sink::LineSink;
+pub(crate) use line_writer::write_event;
+pub use names::LogNames;
 pub use reader::{LogReader, begins_log};
 pub(crate) use schema::generator;
 pub use schema::{scene_schema, trace_schema};
 pub use settings::{Settings, StrategyName, Through, Transport};
-pub(crate) use writer::{EventWriter, write_event};
-pub use writer::{LOG_VERSION, LineSink, LogNames, write_log_head};

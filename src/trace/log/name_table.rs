@@ -8,15 +8,15 @@ use crate::scene::{PrimitiveId, Scene};
 
 /// The objects and lights of a scene by their names.
 #[derive(Debug)]
-pub(in crate::trace) struct NameTable {
-    pub(in crate::trace) objects: HashMap<SmolStr, NamedObject>,
-    pub(in crate::trace) lights: HashMap<String, u32>,
+pub(super) struct NameTable {
+    pub(super) objects: HashMap<SmolStr, NamedObject>,
+    pub(super) lights: HashMap<String, u32>,
 }
 
 /// An object's place in the scene, and its primitives.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::trace) struct NamedObject {
-    pub(in crate::trace) place: u32,
+pub(super) struct NamedObject {
+    pub(super) place: u32,
     first: u32,
     count: u32,
     is_mesh: bool,
@@ -24,7 +24,7 @@ pub(in crate::trace) struct NamedObject {
 
 impl NameTable {
     /// The names of this scene.
-    pub(in crate::trace) fn new(scene: &Scene) -> Self {
+    pub(super) fn new(scene: &Scene) -> Self {
         let objects = (0..).zip(&scene.objects).map(|(place, object)| {
             let named = NamedObject {
                 place,
@@ -47,7 +47,7 @@ impl NameTable {
 impl NamedObject {
     /// The primitive: a mesh has one for each face, and what is no mesh has no faces.
     #[inline]
-    pub(in crate::trace) fn primitive(self, face: Option<u32>) -> Option<PrimitiveId> {
+    pub(super) fn primitive(self, face: Option<u32>) -> Option<PrimitiveId> {
         match face {
             Some(face) if self.is_mesh && face < self.count => Some(PrimitiveId(self.first + face)),
             None if !self.is_mesh => Some(PrimitiveId(self.first)),

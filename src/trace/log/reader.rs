@@ -4,11 +4,11 @@ use std::io::BufRead;
 
 use crate::scene::file::ObjectFile;
 use crate::scene::{Scene, SceneFile};
+use crate::trace::log::head::{Header, LOG_VERSION, ObjectLine};
 use crate::trace::log::limits::Limits;
-use crate::trace::log::line_reader::{Damage, blank, parse_event};
+use crate::trace::log::line_reader::{Damage, parse_event};
 use crate::trace::log::lines::LogLines;
 use crate::trace::log::name_table::NameTable;
-use crate::trace::log::writer::{Header, LOG_VERSION, ObjectLine};
 use crate::trace::record::path_sieve::keep_paths_behind;
 use crate::trace::record::recorder::{Numbering, Place};
 use crate::trace::{Event, Kind, LogError, PathSieve, Record, Region, Settings, Sink};
@@ -81,7 +81,7 @@ impl<R: BufRead> LogReader<R> {
     /// # Errors
     /// A damaged line, with its number and what is wrong in it.
     pub fn next_record(&mut self) -> Result<Option<Record>, LogError> {
-        let mut record = blank(Kind::Pixel);
+        let mut record = Record::blank(Kind::Pixel);
         Ok(self.read_into(&mut record)?.then_some(record))
     }
 
@@ -120,7 +120,7 @@ impl<R: BufRead> LogReader<R> {
             Some(Region::pixel(pixel)),
             Vec::new(),
         );
-        let mut record = blank(Kind::Pixel);
+        let mut record = Record::blank(Kind::Pixel);
         while self.read_into(&mut record)? {
             if record.pixel.is_none_or(|of| of == pixel) {
                 // a list takes all

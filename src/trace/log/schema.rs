@@ -6,8 +6,8 @@ use serde_json::{Map, Value, json};
 
 use crate::scene::{PrimitiveId, SceneFile};
 use crate::trace::event::fields::{Field, Fields, Visitor};
-use crate::trace::event::kind::KindPlace;
-use crate::trace::log::writer::{Header, LOG_VERSION, ObjectLine};
+use crate::trace::event::place::KindPlace;
+use crate::trace::log::head::{Header, LOG_VERSION, ObjectLine};
 use crate::trace::{Event, Kind};
 
 /// The JSON Schema (draft 2020-12) of a scene file.
@@ -57,6 +57,7 @@ fn event_schema(kind: Kind) -> Value {
     let described = described(kind);
     let mut schema = json!({
         "title": kind.name(),
+        "description": kind.meaning().trim(),
         "type": "object",
         "properties": described.properties,
         "required": described.required,
@@ -69,7 +70,7 @@ fn event_schema(kind: Kind) -> Value {
 }
 
 /// The keys that a line of this kind may have.
-pub(in crate::trace) fn keys_of(kind: Kind) -> Vec<String> {
+pub(super) fn keys_of(kind: Kind) -> Vec<String> {
     described(kind)
         .properties
         .into_iter()
@@ -127,7 +128,7 @@ struct Description {
 
 impl Description {
     fn add(&mut self, key: &'static str, meaning: &str, mut schema: Value, required: bool) {
-        schema["description"] = meaning.into();
+        schema["description"] = meaning.trim().into();
         self.properties.insert(key.into(), schema);
         if required {
             self.required.push(key);

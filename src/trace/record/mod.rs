@@ -1,7 +1,6 @@
 //! Who listens to the tracer: recordings, filters, counts; and the tree of the rays that were recorded.
 
 mod counts;
-mod event_blocks;
 mod filter;
 pub(in crate::trace) mod path_sieve;
 mod ray_tree;
@@ -9,7 +8,6 @@ pub(in crate::trace) mod recorder;
 mod useful_rays;
 
 pub use counts::{Counts, LightCount, RayCount, SearchCount, TestCount};
-pub use event_blocks::EventBlocks;
 pub use filter::{Budget, Filter, Kinds, Region};
 pub use path_sieve::PathSieve;
 pub use ray_tree::{Item, RayNode, RayTree};

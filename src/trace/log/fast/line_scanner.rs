@@ -4,9 +4,8 @@
 //! [`line_reader`](crate::trace::log::line_reader), which reads all JSON and says what is wrong.
 
 use crate::scene::PrimitiveId;
-use crate::trace::event::fields::{Field, Fields, Visitor};
+use crate::trace::event::fields::{Field, Fields, ValueReader, Visitor, Word};
 use crate::trace::log::fast::scanner::Scanner;
-use crate::trace::log::line_reader::blank;
 use crate::trace::log::name_table::NameTable;
 use crate::trace::{Kind, Record};
 
@@ -14,7 +13,7 @@ use crate::trace::{Kind, Record};
 ///
 /// Else it gives `None`, and what the record holds means nothing.
 #[inline]
-pub(in crate::trace) fn scan_event(
+pub(in crate::trace::log) fn scan_event(
     line: &[u8],
     names: &NameTable,
     record: &mut Record,
@@ -23,7 +22,7 @@ pub(in crate::trace) fn scan_event(
     if !scanner.take("{\"kind\":") {
         return None;
     }
-    *record = blank(Kind::named(scanner.plain_text()?)?);
+    *record = Record::blank(Kind::named(scanner.plain_text()?)?);
     let mut scan = LineScanner {
         names,
         scanner,
@@ -59,7 +58,7 @@ impl Visitor for LineScanner<'_> {
             return;
         }
         *value = self
-            .value(|line| T::scan(&mut line.scanner))
+            .value(|line| T::read(&mut line.scanner).ok())
             .unwrap_or_default();
     }
 
@@ -67,7 +66,7 @@ impl Visitor for LineScanner<'_> {
     fn optional<T: Field>(&mut self, key: &'static str, _: &'static str, value: &mut Option<T>) {
         *value = None;
         if self.scanner.take_key(key) {
-            *value = self.value(|line| T::scan(&mut line.scanner));
+            *value = self.value(|line| T::read(&mut line.scanner).ok());
         }
     }
 
@@ -121,89 +120,61 @@ impl Visitor for LineScanner<'_> {
     }
 }
 
+/// What is wrong with a value is left to the reader of all JSON.
+impl ValueReader for Scanner<'_> {
+    type Wrong = ();
+
+    #[inline]
+    fn number(&mut self) -> Result<f64, ()> {
+        self.next_number().ok_or(())
+    }
+
+    #[inline]
+    fn whole(&mut self) -> Result<u32, ()> {
+        self.whole_number().ok_or(())
+    }
+
+    #[inline]
+    fn flag(&mut self) -> Result<bool, ()> {
+        if self.take("true") {
+            return Ok(true);
+        }
+        if self.take("false") {
+            Ok(false)
+        } else {
+            Err(())
+        }
+    }
+
+    #[inline]
+    fn word<W: Word>(&mut self) -> Result<W, ()> {
+        let text = self.plain_text().ok_or(())?;
+        let found = W::WORDS.iter().find(|(_, word, _)| *word == text);
+        found.map(|(value, ..)| *value).ok_or(())
+    }
+
+    #[inline]
+    fn list<T: Field, const N: usize>(&mut self) -> Result<[T; N], ()> {
+        let mut items = [T::default(); N];
+        for (i, item) in items.iter_mut().enumerate() {
+            if !self.take(if i == 0 { "[" } else { "," }) {
+                return Err(());
+            }
+            *item = T::read(self)?;
+        }
+        if self.take("]") { Ok(items) } else { Err(()) }
+    }
+
+    fn wrong(&mut self, _: &'static str) {}
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::geometry::{QuadraticTest, Root, Roots};
-    use crate::scene::{Loaded, Scene, load_bytes};
-    use crate::trace::event::kind::KindPlace;
+    use crate::scene::Scene;
+    use crate::trace::log::fast::samples::{records, scene};
     use crate::trace::log::line_reader::read_event;
-    use crate::trace::{Event, LogNames, write_event};
-    use glam::DVec3;
-    use std::path::Path;
-
-    /// A sphere, a mesh and a light.
-    fn scene() -> Scene {
-        let text = r#"{
-          "camera": { "look_at": { "cop": [0, 0, 5], "target": [0, 0, 0], "up": [0, 1, 0],
-                                   "fov_degrees": 40 }, "pixels": [1, 1] },
-          "lights": [ { "name": "lämp", "position": [0, 5, 5], "colour": [1, 1, 1] } ],
-          "materials": { "red": { "colour": [1, 0, 0], "diffuse": 0.5 } },
-          "objects": [
-            { "name": "ball", "material": "red",
-              "shape": { "sphere": { "center": [0, 0, 0], "radius": 1 } } },
-            { "name": "roof", "material": "red", "shape": { "mesh": { "faces": [
-              { "vertices": [[-1, 2, 1], [1, 2, 1], [1, 2, -1]] } ] } } } ]
-        }"#;
-        let loaded = load_bytes("scene.json", text.as_bytes(), Path::new(""));
-        loaded.and_then(Loaded::build).unwrap()
-    }
-
-    /// A blank event of every kind, and some with numbers in them.
-    fn records() -> Vec<Record> {
-        let root = |t| Root {
-            t,
-            ..Root::default()
-        };
-        let sphere = Event::SphereTest {
-            object: PrimitiveId(0),
-            test: QuadraticTest {
-                a: 1.0,
-                b: -0.125,
-                c: 1e-9,
-                discriminant: 0.1 + 0.2,
-                roots: Roots::Two {
-                    near: root(-1.0 / 3.0),
-                    far: root(-0.0),
-                },
-            },
-        };
-        let edge = Event::Edge {
-            object: PrimitiveId(1),
-            edge: crate::geometry::EdgeTest {
-                index: 12,
-                side: -1e-300,
-                ..Default::default()
-            },
-        };
-        let colour = Event::PixelColour(crate::trace::PixelColour {
-            raw: DVec3::new(0.5, 10.0, 1e22),
-            ..Default::default()
-        });
-        let mut records: Vec<Record> = Kind::ALL.map(placed).into();
-        records.extend([sphere, edge, colour].map(|event| Record {
-            pixel: Some([123, 4567]),
-            step: 98765,
-            ray: Some(3),
-            event,
-            ..blank(Kind::Ray)
-        }));
-        records
-    }
-
-    /// A blank record in a pixel, unless it is of building or of a path of light.
-    fn placed(kind: Kind) -> Record {
-        let (pixel, path) = match kind.place() {
-            KindPlace::Building => (None, None),
-            KindPlace::Path => (None, Some(0)),
-            KindPlace::Pixel | KindPlace::Either => (Some([0, 0]), None),
-        };
-        Record {
-            pixel,
-            path,
-            ..blank(kind)
-        }
-    }
+    use crate::trace::{LogNames, write_event};
 
     fn lines(scene: &Scene) -> Vec<Vec<u8>> {
         let names = LogNames::new(scene);
@@ -216,7 +187,7 @@ mod tests {
     }
 
     fn scanned(line: &[u8], names: &NameTable) -> Option<Record> {
-        let mut record = blank(Kind::Ray);
+        let mut record = Record::blank(Kind::Ray);
         scan_event(line, names, &mut record).map(|()| record)
     }
 

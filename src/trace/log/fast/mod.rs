@@ -1,7 +1,16 @@
-//! What exists for speed alone in writing and reading a line.
+//! What exists for speed alone in writing and reading a line: a writer and a scanner of events.
+//!
+//! Both do what the plain [`line_writer`](super::line_writer) and [`line_reader`](super::line_reader) do.
 
-pub(in crate::trace) mod line_scanner;
-pub(in crate::trace) mod number_texts;
-pub(in crate::trace) mod scanner;
-pub(in crate::trace) mod short_text;
-pub(in crate::trace) mod small_numbers;
+mod line_scanner;
+mod line_writer;
+mod number_texts;
+mod quoted;
+#[cfg(test)]
+mod samples;
+mod scanner;
+mod short_text;
+mod small_numbers;
+
+pub(super) use line_scanner::scan_event;
+pub(crate) use line_writer::EventWriter;

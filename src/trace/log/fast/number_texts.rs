@@ -17,7 +17,7 @@ const LONGEST: usize = 23;
 ///
 /// [`NumberTexts::default`] remembers none and takes no memory.
 #[derive(Clone, Debug, Default)]
-pub(in crate::trace) struct NumberTexts {
+pub(super) struct NumberTexts {
     known: Vec<Known>,
     /// The bits of the number that was last formed for each place: whoever comes again is remembered. So the
     /// half that comes once takes no place from the others.
@@ -33,7 +33,7 @@ struct Known {
 
 impl NumberTexts {
     /// Knows none yet and will remember them.
-    pub(in crate::trace) fn remembering() -> Self {
+    pub(super) fn remembering() -> Self {
         // not a number: never asked for
         let bits = f64::NAN.to_bits();
         let text = ShortText::EMPTY;
@@ -45,7 +45,7 @@ impl NumberTexts {
 
     /// Appends a finite number: the shortest digits that read back as it, and `.0` after a whole one.
     #[inline]
-    pub(in crate::trace) fn append(&mut self, value: f64, line: &mut Vec<u8>) {
+    pub(super) fn append(&mut self, value: f64, line: &mut Vec<u8>) {
         // every fourth number is one digit: a normal's 0.0, a unit direction's a = 1.0
         let digit = value.abs() as u8;
         if digit < 10 && f64::from(digit) == value.abs() {

@@ -5,24 +5,24 @@
 
 /// A place in a line.
 #[derive(Clone, Debug)]
-pub(in crate::trace) struct Scanner<'a> {
+pub(super) struct Scanner<'a> {
     rest: &'a str,
 }
 
 impl<'a> Scanner<'a> {
     /// The start of a line.
-    pub(in crate::trace) fn new(line: &'a str) -> Self {
+    pub(super) fn new(line: &'a str) -> Self {
         Self { rest: line }
     }
 
     /// Is the line at its end?
-    pub(in crate::trace) fn is_at_end(&self) -> bool {
+    pub(super) fn is_at_end(&self) -> bool {
         self.rest.is_empty()
     }
 
     /// Steps over this text, if it is next.
     #[inline]
-    pub(in crate::trace) fn take(&mut self, text: &str) -> bool {
+    pub(super) fn take(&mut self, text: &str) -> bool {
         match self.rest.strip_prefix(text) {
             Some(rest) => {
                 self.rest = rest;
@@ -34,7 +34,7 @@ impl<'a> Scanner<'a> {
 
     /// Steps over `,"key":`, if it is next.
     #[inline]
-    pub(in crate::trace) fn take_key(&mut self, key: &str) -> bool {
+    pub(super) fn take_key(&mut self, key: &str) -> bool {
         let after_key = self
             .rest
             .strip_prefix(",\"")
@@ -50,7 +50,7 @@ impl<'a> Scanner<'a> {
 
     /// The text between two quotation marks, none of which needs an escape.
     #[inline]
-    pub(in crate::trace) fn plain_text(&mut self) -> Option<&'a str> {
+    pub(super) fn plain_text(&mut self) -> Option<&'a str> {
         let inside = self.rest.strip_prefix('"')?;
         let needs_escape = |byte: u8| byte == b'"' || byte == b'\\' || byte < b' ';
         let end = inside.bytes().position(needs_escape)?;
@@ -61,7 +61,7 @@ impl<'a> Scanner<'a> {
 
     /// A whole number of 0 or more, of up to 9 digits: so it is below 2³².
     #[inline]
-    pub(in crate::trace) fn whole_number(&mut self) -> Option<u32> {
+    pub(super) fn whole_number(&mut self) -> Option<u32> {
         let (digits, rest) = split_digits(self.rest);
         let leading_zero = digits.starts_with('0') && digits != "0";
         let goes_on = rest.starts_with(['.', 'e', 'E']);
@@ -75,7 +75,7 @@ impl<'a> Scanner<'a> {
 
     /// A number, correctly rounded: `-`? digits (`.` digits)? (`e` (`+`|`-`)? digits)?
     #[inline]
-    pub(in crate::trace) fn number(&mut self) -> Option<f64> {
+    pub(super) fn next_number(&mut self) -> Option<f64> {
         if let Some(value) = self.digit_and_zero() {
             return Some(value);
         }
@@ -129,7 +129,7 @@ mod tests {
     /// The number at the start of a text, and what is left.
     fn number(text: &str) -> (Option<f64>, &str) {
         let mut scanner = Scanner::new(text);
-        let value = scanner.number();
+        let value = scanner.next_number();
         (value, scanner.rest)
     }
 

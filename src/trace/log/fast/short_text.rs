@@ -5,21 +5,21 @@
 
 /// A text of up to `ROOM` bytes.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::trace) struct ShortText<const ROOM: usize> {
+pub(super) struct ShortText<const ROOM: usize> {
     bytes: [u8; ROOM],
     length: u8,
 }
 
 impl<const ROOM: usize> ShortText<ROOM> {
     /// Nothing.
-    pub(in crate::trace) const EMPTY: Self = Self {
+    pub(super) const EMPTY: Self = Self {
         bytes: [0; ROOM],
         length: 0,
     };
 
     /// The text with another behind it; `None` if there is no room for both.
     #[inline]
-    pub(in crate::trace) const fn with(mut self, more: &[u8]) -> Option<Self> {
+    pub(super) const fn with(mut self, more: &[u8]) -> Option<Self> {
         let start = self.length as usize;
         let end = start + more.len();
         if ROOM < end {
@@ -34,7 +34,7 @@ impl<const ROOM: usize> ShortText<ROOM> {
 
     /// Appends the text.
     #[inline]
-    pub(in crate::trace) fn append_to(&self, line: &mut Vec<u8>) {
+    pub(super) fn append_to(&self, line: &mut Vec<u8>) {
         let end = line.len() + usize::from(self.length);
         line.extend_from_slice(&self.bytes);
         line.truncate(end);

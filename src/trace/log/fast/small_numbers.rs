@@ -28,7 +28,7 @@ static DIGITS: [ShortText<3>; COUNT] = {
 
 /// Appends a whole number.
 #[inline]
-pub(in crate::trace) fn append_whole(number: u32, line: &mut Vec<u8>) {
+pub(super) fn append_whole(number: u32, line: &mut Vec<u8>) {
     let Some(digits) = DIGITS.get(number as usize) else {
         line.extend_from_slice(itoa::Buffer::new().format(number).as_bytes());
         return;
