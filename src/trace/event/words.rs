@@ -1,7 +1,7 @@
 //! The words of the log for each value of an enum, with what each means.
 //!
 //! `words! { enum … }` declares an enum of the trace with its words; `words! { for … }` gives words to an enum of a
-//! layer below. The writer, the reader and the schema know a value by its word alone. The first value is the default.
+//! layer below. The writer, the reader and the schema know a value by its word alone.
 
 use crate::geometry::{Axis, DecidedBy, Fate};
 use crate::structure::{Across, Share, VolumeKind};
@@ -11,7 +11,9 @@ use crate::trace::event::fields::Word;
 macro_rules! words {
     (
         $(#[doc = $what:literal])+
-        $visible:vis enum $type:ident { $($(#[doc = $meaning:literal])+ $value:ident = $word:literal),+ $(,)? }
+        $visible:vis enum $type:ident: $default:ident by default {
+            $($(#[doc = $meaning:literal])+ $value:ident = $word:literal,)+
+        }
     ) => {
         $(#[doc = $what])+
         #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -19,13 +21,13 @@ macro_rules! words {
 
         impl Default for $type {
             fn default() -> Self {
-                Self::WORDS[0].0
+                Self::$default
             }
         }
 
-        words! { for $type { $($(#[doc = $meaning])+ $value = $word),+ } }
+        words! { for $type { $($(#[doc = $meaning])+ $value = $word,)+ } }
     };
-    (for $type:ident { $($(#[doc = $meaning:literal])+ $value:ident = $word:literal),+ $(,)? }) => {
+    (for $type:ident { $($(#[doc = $meaning:literal])+ $value:ident = $word:literal,)+ }) => {
         impl Word for $type {
             const WORDS: &'static [(Self, &'static str, &'static str)] =
                 &[$(($type::$value, $word, concat!($($meaning),+))),+];
@@ -49,7 +51,7 @@ macro_rules! words {
 
 words! {
     /// How many real roots an equation has.
-    pub(super) enum RootCount {
+    pub(super) enum RootCount: None by default {
         /// None: the discriminant is below 0.
         None = "none",
         /// One double root, at which the ray grazes the surface: the discriminant is 0 within its rounding.
@@ -63,7 +65,7 @@ words! {
 
 words! {
     /// Is a ray parallel to a slab?
-    pub(super) enum Parallel {
+    pub(super) enum Parallel: No by default {
         /// It is not: it crosses both planes of the slab.
         No = "no",
         /// It is, and it runs between the planes or in one of them: every t is inside.
@@ -75,7 +77,7 @@ words! {
 
 words! {
     /// Is a ray parallel to a plane?
-    pub(super) enum ToPlane {
+    pub(super) enum ToPlane: Meets by default {
         /// It is not: its line meets the plane at one t.
         Meets = "no",
         /// It is, and it runs beside the plane.
@@ -126,7 +128,7 @@ words! {
 
 words! {
     /// Why a ray is cast.
-    pub enum Purpose {
+    pub enum Purpose: Eye by default {
         /// From the COP through the window.
         Eye = "eye",
         /// From a surface to a light: a shadow ray.
@@ -146,11 +148,11 @@ words! {
 
 words! {
     /// How a ray ended.
-    pub enum Outcome {
-        /// It hits no object and sees the background.
-        Miss = "miss",
+    pub enum Outcome: Miss by default {
         /// It hits an object.
         Hit = "hit",
+        /// It hits no object and sees the background.
+        Miss = "miss",
         /// A shadow ray hits an object before its light.
         Blocked = "blocked",
         /// A shadow ray reaches its light.
@@ -168,21 +170,21 @@ words! {
 
 words! {
     /// What becomes of a photon at a surface.
-    pub enum PhotonFate {
-        /// The surface absorbs it: its path ends.
-        Absorbed = "absorbed",
+    pub enum PhotonFate: Absorbed by default {
         /// It is reflected in the mirror direction.
         Mirrored = "mirrored",
         /// It passes through the surface, bent by Snell's law.
         Refracted = "refracted",
         /// It is reflected diffusely, in a random direction.
         Diffused = "diffused",
+        /// The surface absorbs it: its path ends.
+        Absorbed = "absorbed",
     }
 }
 
 words! {
     /// Does a light reach a point?
-    pub enum Visibility {
+    pub enum Visibility: Visible by default {
         /// Its shadow ray reaches it.
         Visible = "visible",
         /// Its shadow ray is blocked.
@@ -209,17 +211,17 @@ words! {
 
 words! {
     /// What became of a test?
-    pub enum Verdict {
-        /// It does not count: `why` says the reason.
-        Rejected = "rejected",
+    pub enum Verdict: Rejected by default {
         /// The ray meets what was tested, at a t that counts. Of a slab: some t is inside this slab and all before it.
         Hit = "hit",
+        /// It does not count: `why` says the reason.
+        Rejected = "rejected",
     }
 }
 
 words! {
     /// Why was a test rejected? One list for all kinds of tests.
-    pub enum Why {
+    pub enum Why: NoRoot by default {
         /// The equation has no real root: the ray passes by the surface.
         NoRoot = "no_root",
         /// The largest near is above the smallest far: no t is inside all slabs.
@@ -247,11 +249,11 @@ words! {
 
 words! {
     /// What became of a node?
-    pub enum NodeOutcome {
-        /// The ray does not meet its bound in front of the origin.
-        Rejected = "rejected",
+    pub enum NodeOutcome: Rejected by default {
         /// Its children or its objects are tested.
         Entered = "entered",
+        /// The ray does not meet its bound in front of the origin.
+        Rejected = "rejected",
         /// Its bound begins further away than a hit that is known, or than the light: nothing in it is tested.
         Pruned = "pruned",
     }
@@ -259,7 +261,7 @@ words! {
 
 words! {
     /// What is done with the heap of waiting nodes.
-    pub enum QueueAction {
+    pub enum QueueAction: Push by default {
         /// A node is put into the heap: it waits.
         Push = "push",
         /// The nearest waiting node is taken out of the heap.
@@ -301,7 +303,7 @@ words! {
 
 words! {
     /// Why a walk through the grid ended.
-    pub enum WalkEnd {
+    pub enum WalkEnd: Left by default {
         /// The ray leaves the grid, or its range ends.
         Left = "left",
         /// The nearest hit lies in this cell: no later cell can hold a nearer hit.
@@ -313,7 +315,7 @@ words! {
 
 words! {
     /// What an aligned point is of its object.
-    pub enum AlignedPart {
+    pub enum AlignedPart: Center by default {
         /// The center of a sphere, an ellipsoid or a box.
         Center = "center",
         /// A half axis of an ellipsoid or a box: a vector, which turns and does not move.
