@@ -100,9 +100,10 @@ pub use trace::{
     Item, Kind, Kinds, LightCount, LightOptions, LightTerm, LineSink, LogError, LogNames,
     LogReader, Nearby, Nearest, NodeOutcome, NodeVisit, Off, Outcome, PathSieve, PathStart, Photon,
     PhotonFate, PixelColour, PixelSample, Purpose, QueueAction, QueueStep, RayCount, RayEnd,
-    RayNode, RayStart, RayTree, Record, Recorder, Recording, Region, Settings, Shade, Sink,
-    SlabTest, Stored, StrategyName, TestCount, Through, Transport, UsefulRays, Verdict, Visibility,
-    WalkEnd, Why, ZSort, begins_log, geometry_term, scene_schema, trace_schema, write_log_head,
+    RayNode, RaySlab, RayStart, RayTree, Record, Recorder, Recording, Region, Settings, Shade,
+    Sink, SlabTest, Stored, StrategyName, TestCount, Through, Transport, UsefulRays, Verdict,
+    Visibility, WalkEnd, Why, ZSort, begins_log, geometry_term, scene_schema, trace_schema,
+    write_log_head,
 };
 pub use tracer::{
     EPSILON, Heat, HeatLine, HeatOf, LightError, LightPass, LogOptions, LogStopped, LoggedPaths,

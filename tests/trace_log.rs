@@ -3,6 +3,7 @@
 mod damaged;
 mod impossible;
 mod light;
+mod slab_rays;
 pub(crate) mod strategies;
 mod verdicts;
 

@@ -295,8 +295,9 @@ fn overlap(a: Region, b: Region) -> Option<Region> {
     (from[0] <= to[0] && from[1] <= to[1]).then_some(Region { from, to })
 }
 
-/// The names of kinds, each once and always in the same order.
+/// The names of kinds and of those that they need, each once and always in the same order.
 fn names(kinds: &[Kind]) -> Vec<String> {
-    let wanted = Kind::ALL.into_iter().filter(|kind| kinds.contains(kind));
+    let kept = Kinds::of(kinds);
+    let wanted = Kind::ALL.into_iter().filter(|kind| kept.contains(*kind));
     wanted.map(|kind| kind.name().into()).collect()
 }

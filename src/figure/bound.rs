@@ -14,7 +14,7 @@ use crate::figure::traced::Traced;
 use crate::figure::view::{Projection, Stage};
 use crate::geometry::MOST_SLABS;
 use crate::structure::{Hierarchy, SlabBound, SlabChoice, SlabSet, Volume, VolumeKind};
-use crate::trace::{Bounded, SlabTest, StrategyName};
+use crate::trace::{Bounded, RaySlab, SlabTest, StrategyName};
 
 /// A slab with its planes A·x + B·y + C·z + D = 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -31,11 +31,11 @@ pub(super) struct Slab {
 
 impl Slab {
     /// As it was tested.
-    pub(super) fn of(test: &SlabTest) -> Self {
+    pub(super) fn of(test: &SlabTest, line: &RaySlab) -> Self {
         let step = &test.step;
         Self {
             number: step.slab,
-            normal: step.normal,
+            normal: line.normal,
             d_min: step.d_min,
             d_max: step.d_max,
         }

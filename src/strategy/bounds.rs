@@ -8,6 +8,7 @@ use std::ops::ControlFlow;
 
 use crate::geometry::{MOST_SLABS, Ray};
 use crate::scene::{Object, PrimitiveId, Scene};
+use crate::strategy::slab_rays::note_slab_rays;
 use crate::strategy::{Search, Strategy};
 use crate::structure::{NO_SLAB, SlabSet, Volume, VolumeKind, VolumeRay, crossed, reach};
 use crate::trace::{BoundOutcome, BoundTest, Bounded, Event, Recorder, SlabTest};
@@ -109,6 +110,9 @@ impl<const N: usize> Strategy for BoundedObjects<'_, N> {
     #[inline]
     fn search<R: Recorder>(&self, ray: &Ray, search: &mut impl Search, recorder: &mut R) {
         let line = VolumeRay::new(ray, &self.set, self.reach);
+        if self.kind == VolumeKind::Slabs {
+            note_slab_rays(ray, &self.set, recorder);
+        }
         let volumes = (0..).zip(&self.volumes);
         for (volume, object) in volumes.zip(&self.scene.objects) {
             if !self.meets(volume, ray, &line, search, recorder) {

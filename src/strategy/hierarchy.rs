@@ -15,6 +15,7 @@ use std::ops::ControlFlow;
 use crate::geometry::{Ray, TRange};
 use crate::scene::Scene;
 use crate::strategy::leaf_order::LeafOrder;
+use crate::strategy::slab_rays::note_slab_rays;
 use crate::strategy::waiting::{Stack, Waiting};
 use crate::strategy::{Search, Strategy};
 use crate::structure::{
@@ -73,6 +74,7 @@ impl<const N: usize> Strategy for DepthFirst<'_, N> {
     fn search<R: Recorder>(&self, ray: &Ray, search: &mut impl Search, recorder: &mut R) {
         let nodes = &self.nodes;
         let slabs = nodes.hierarchy.ray_slabs(ray);
+        note_slab_rays(ray, nodes.hierarchy.set(), recorder);
         let mut waiting = Stack::new();
         let mut next = nodes.root(ray, &slabs, search, recorder);
         while let Some(node) = next {
@@ -130,6 +132,7 @@ impl<const N: usize> Strategy for HeapOrdered<'_, N> {
     fn search<R: Recorder>(&self, ray: &Ray, search: &mut impl Search, recorder: &mut R) {
         let nodes = &self.nodes;
         let slabs = nodes.hierarchy.ray_slabs(ray);
+        note_slab_rays(ray, nodes.hierarchy.set(), recorder);
         let mut heap: BinaryHeap<Reverse<Waiting>> = BinaryHeap::new();
         let note = |action, of: Waiting, size: usize, recorder: &mut R| {
             recorder.note(|| {

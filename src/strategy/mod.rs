@@ -9,6 +9,7 @@ mod leaf_order;
 mod mailbox;
 mod nearest;
 mod object_test;
+mod slab_rays;
 mod waiting;
 mod z_aligned;
 

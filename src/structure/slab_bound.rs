@@ -6,8 +6,6 @@
 //! ones, both "updated as each of its slabs is processed, and the processing of the bound terminated if the
 //! former ever exceeds the latter".
 
-use glam::DVec3;
-
 use crate::geometry::{PARALLEL, Ray, SlabInterval, SlabRay, TRange};
 use crate::scene::Shape;
 use crate::structure::extent::box_around;
@@ -42,12 +40,6 @@ pub enum SlabOutcome {
 pub struct SlabStep {
     /// Which direction of the set, from 0.
     pub slab: u32,
-    /// (A, B, C), of unit length.
-    pub normal: DVec3,
-    /// S = A·x₀ + B·y₀ + C·z₀
-    pub s: f64,
-    /// T = −1/(A·Δx + B·Δy + C·Δz); infinite for a parallel ray.
-    pub t_scale: f64,
     /// D of the plane that is furthest along the normal.
     pub d_min: f64,
     /// D of the plane that is furthest back.
@@ -216,8 +208,7 @@ impl<const N: usize> SlabBound<N> {
         so_far: [f64; 2],
         crossed: bool,
     ) -> SlabStep {
-        let normal = set.padded()[slab];
-        let line = SlabRay::new(ray, normal);
+        let line = SlabRay::new(ray, set.padded()[slab]);
         let (d_min, d_max) = (self.d_min[slab], self.d_max[slab]);
         let interval = line.interval(d_min, d_max);
         let [mut max_near, mut min_far] = so_far;
@@ -234,14 +225,6 @@ impl<const N: usize> SlabBound<N> {
         };
         SlabStep {
             slab: slab as u32,
-            normal,
-            s: line.s,
-            // an infinite T has no sign, as in a log
-            t_scale: if line.t_scale.is_finite() {
-                line.t_scale
-            } else {
-                f64::INFINITY
-            },
             d_min,
             d_max,
             interval,
@@ -264,6 +247,8 @@ pub(crate) const NO_SLAB: [f64; 2] = [f64::NEG_INFINITY, f64::INFINITY];
 #[cfg(test)]
 mod tests {
     use super::*;
+    use glam::DVec3;
+
     use crate::geometry::Sphere;
 
     /// The unit sphere between the four directions of Fig. 15.58 and one across them.

@@ -10,8 +10,8 @@ pub use event::{
     Aligned, AlignedPart, Alternative, Arrival, BoundOutcome, BoundTest, Bounded, CellVisit,
     Connection, Event, Gathered, GridEnter, GridExit, HitOutsideCell, Kind, LightTerm, Nearby,
     Nearest, NodeOutcome, NodeVisit, Outcome, PathStart, Photon, PhotonFate, PixelColour,
-    PixelSample, Purpose, QueueAction, QueueStep, RayEnd, RayStart, Shade, SlabTest, Stored,
-    Verdict, Visibility, WalkEnd, Why, ZSort, geometry_term,
+    PixelSample, Purpose, QueueAction, QueueStep, RayEnd, RaySlab, RayStart, Shade, SlabTest,
+    Stored, Verdict, Visibility, WalkEnd, Why, ZSort, geometry_term,
 };
 pub(crate) use log::{EventWriter, generator, write_event};
 pub use log::{

@@ -8,7 +8,7 @@ use serde_json::Value;
 use super::{all_of, built, cases, log, strategies};
 
 /// The eye ray runs from 0 along (0.6, 0, −0.8): at t it is at (0.6t, 0, −0.8t).
-const SCENE: &str = r#"{
+pub(super) const SCENE: &str = r#"{
   "camera": { "window": { "cop": [0, 0, 0], "corner": [0.2, -0.5, -1.1], "right": [0.8, 0, 0.6], "up": [0, 1, 0] },
               "pixels": [1, 1] },
   "lights": [ { "name": "lamp", "position": [0, 3, 0], "colour": [1, 1, 1] } ],

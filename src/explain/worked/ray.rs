@@ -5,7 +5,7 @@ use crate::explain::page::Tone;
 use crate::explain::printable;
 use crate::explain::worked::Solution;
 use crate::explain::worked::misses::{FOLDED_FROM, LONGEST_UNFOLDED};
-use crate::explain::worked::steps::{Course, Step, Test, steps};
+use crate::explain::worked::steps::{Course, Step, Test, slab_rays, steps};
 use crate::scene::PrimitiveId;
 use crate::trace::{Event, Kind, Nearest, Outcome, Purpose, RayEnd, RayNode, RayStart};
 
@@ -34,6 +34,7 @@ impl Solution<'_> {
             end: node.end,
             arrived: false,
             slabs_in_full: self.slabs_in_full(&steps),
+            slab_rays: slab_rays(&steps),
             last: None,
         };
         self.page.line(Tone::Heading, self.ray_title(place));

@@ -14,6 +14,8 @@ impl Solution<'_> {
             return;
         }
         match event {
+            // of a slab that is tested S and T are told with the test
+            Event::SlabRay(line) if !self.shows(Kind::SlabTest) => self.slab_ray(line, course),
             Event::SlabTest(test) if course.slabs_in_full => self.slab_test(test, course),
             Event::BoundTest(test) => self.bound_test(test, course),
             Event::Node(visit) => self.node(visit, course),

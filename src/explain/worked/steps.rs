@@ -8,8 +8,8 @@ use crate::geometry::{
 };
 use crate::scene::PrimitiveId;
 use crate::trace::{
-    Arrival, Event, Gathered, Item, LightTerm, Nearby, Nearest, Photon, RayEnd, RayStart, Record,
-    Shade, Stored,
+    Arrival, Event, Gathered, Item, LightTerm, Nearby, Nearest, Photon, RayEnd, RaySlab, RayStart,
+    Record, Shade, Stored,
 };
 
 /// What is known of a ray while its steps are told.
@@ -36,6 +36,8 @@ pub(super) struct Course {
     pub(super) arrived: bool,
     /// Are the slabs of bounds worked out one by one?
     pub(super) slabs_in_full: bool,
+    /// S and T of the ray and each slab.
+    pub(super) slab_rays: Vec<RaySlab>,
     /// The step of the search that was told last.
     pub(super) last: Option<Event>,
 }
@@ -132,6 +134,15 @@ pub(super) fn steps(items: &[Item], records: &[Record]) -> Vec<Step> {
     steps
 }
 
+/// S and T of the ray and each slab.
+pub(super) fn slab_rays(steps: &[Step]) -> Vec<RaySlab> {
+    let line = |step: &Step| match step {
+        Step::Search(Event::SlabRay(line)) => Some(*line),
+        _ => None,
+    };
+    steps.iter().filter_map(line).collect()
+}
+
 fn add(event: &Event, steps: &mut Vec<Step>) {
     let quadratic = |object: PrimitiveId, test| Step::Test {
         object,
@@ -193,7 +204,8 @@ fn add(event: &Event, steps: &mut Vec<Step>) {
                 gathered: Some(found),
             },
         },
-        Event::BoundTest(_)
+        Event::SlabRay(_)
+        | Event::BoundTest(_)
         | Event::SlabTest(_)
         | Event::Node(_)
         | Event::Queue(_)

@@ -9,9 +9,14 @@ use crate::explain::worked::Solution;
 use crate::explain::worked::steps::Course;
 use crate::geometry::SlabInterval;
 use crate::structure::{SlabOutcome, SlabSet, SlabStep, Volume, VolumeKind};
-use crate::trace::{BoundOutcome, BoundTest, Bounded, Kind, Purpose, SlabTest};
+use crate::trace::{BoundOutcome, BoundTest, Bounded, Kind, Purpose, RaySlab, SlabTest};
 
 impl Solution<'_> {
+    /// S and T of the ray and one direction of slabs.
+    pub(super) fn slab_ray(&mut self, line: &RaySlab, course: &Course) {
+        self.page.plain(s_and_t(line, course));
+    }
+
     /// S, T, and from D_min and D_max the near and the far t of one slab.
     pub(super) fn slab_test(&mut self, test: &SlabTest, course: &Course) {
         if !self.shows(Kind::SlabTest) {
@@ -22,13 +27,13 @@ impl Solution<'_> {
             let title = format!("{}: the slabs around it", self.bounded(test.of));
             self.page.line(Tone::Heading, title);
         }
-        let first = format!(
-            "slab {}, (A, B, C) = {}: {}",
-            step.slab,
-            Digits::USUAL.vector(step.normal),
-            s_and_t(step, course)
+        let line = course.slab_rays.iter().find(|line| line.slab == step.slab);
+        // a log that somebody filtered may have lost it
+        let first = line.map_or_else(
+            || format!("slab {}", step.slab),
+            |line| s_and_t(line, course),
         );
-        let second = near_and_far(step);
+        let second = near_and_far(step, line);
         let verdict = missed(step);
         self.page.indented(|page| {
             page.plain(first);
@@ -138,49 +143,51 @@ fn beyond(course: &Course) -> String {
 }
 
 /// S = A·x₀ + B·y₀ + C·z₀ and T = −1/(A·Δx + B·Δy + C·Δz), with their numbers.
-fn s_and_t(step: &SlabStep, course: &Course) -> String {
+fn s_and_t(line: &RaySlab, course: &Course) -> String {
+    let slab = format!(
+        "slab {}, (A, B, C) = {}",
+        line.slab,
+        Digits::USUAL.vector(line.normal)
+    );
+    let is_parallel = line.t_scale == f64::INFINITY;
     let Some(start) = course.start else {
         let d = Digits::USUAL;
-        return match step.interval {
-            SlabInterval::Between { .. } => {
-                let (s, t) = (d.number(step.s), d.number(step.t_scale));
-                format!("S = {s}, T = {t}")
-            }
-            SlabInterval::ParallelInside | SlabInterval::ParallelOutside => {
-                format!("S = {}", d.number(step.s))
-            }
+        let (s, t) = (d.number(line.s), d.number(line.t_scale));
+        return if is_parallel {
+            format!("{slab}: S = {s}")
+        } else {
+            format!("{slab}: S = {s}, T = {t}")
         };
     };
-    let (n, origin, direction) = (step.normal, start.ray.origin, start.ray.direction);
+    let (n, origin, direction) = (line.normal, start.ray.origin, start.ray.direction);
     let largest = |v: DVec3| (n * v).abs().max_element();
-    let d_s = Digits::for_difference(largest(origin), step.s);
-    let s = d_s.difference(largest(origin), step.s);
-    let s = format!("S = {} = {s}", d_s.dot(n, origin));
+    let d_s = Digits::for_difference(largest(origin), line.s);
+    let s = d_s.difference(largest(origin), line.s);
+    let s = format!("{slab}: S = {} = {s}", d_s.dot(n, origin));
     let cosine = n.dot(direction);
-    match step.interval {
-        SlabInterval::Between { .. } => {
-            let d_t = Digits::for_difference(largest(direction), cosine);
-            format!(
-                "{s}, T = -1/[{}] = {}",
-                d_t.dot(n, direction),
-                Digits::USUAL.number(step.t_scale)
-            )
-        }
-        SlabInterval::ParallelInside | SlabInterval::ParallelOutside => {
-            let product = Digits::USUAL.dot(n, direction);
-            let cosine = Digits::USUAL.difference(largest(direction), cosine);
-            format!("{s}, {product} = {cosine}: the ray is parallel")
-        }
+    if is_parallel {
+        let product = Digits::USUAL.dot(n, direction);
+        let cosine = Digits::USUAL.difference(largest(direction), cosine);
+        return format!("{s}, {product} = {cosine}: the ray is parallel");
     }
+    let d_t = Digits::for_difference(largest(direction), cosine);
+    format!(
+        "{s}, T = -1/[{}] = {}",
+        d_t.dot(n, direction),
+        Digits::USUAL.number(line.t_scale)
+    )
 }
 
 /// near = (S + D)·T of the plane that is met first, far of the other, and what all slabs so far have in
 /// common; for a parallel ray whether S is between the planes.
-fn near_and_far(step: &SlabStep) -> String {
+fn near_and_far(step: &SlabStep, line: Option<&RaySlab>) -> String {
     let d = Digits::USUAL;
-    let (s, d_min, d_max) = (step.s, step.d_min, step.d_max);
+    let (d_min, d_max) = (step.d_min, step.d_max);
+    let Some(&RaySlab { s, t_scale, .. }) = line else {
+        return without_products(step);
+    };
     // T < 0 along the normal: then the plane furthest back, of D_max, is met first (erratum 5)
-    let (first, second) = if step.t_scale < 0.0 {
+    let (first, second) = if t_scale < 0.0 {
         (("D_max", d_max), ("D_min", d_min))
     } else {
         (("D_min", d_min), ("D_max", d_max))
@@ -191,7 +198,7 @@ fn near_and_far(step: &SlabStep) -> String {
             "(S + {name})·T = ({} {})·{} = {}",
             d_sum.number(s),
             d_sum.term(plane),
-            d.factor(step.t_scale),
+            d.factor(t_scale),
             d.number(t)
         )
     };
@@ -219,6 +226,22 @@ fn near_and_far(step: &SlabStep) -> String {
         d.number(step.max_near),
         d.number(step.min_far)
     )
+}
+
+/// The same where S and T are not known.
+fn without_products(step: &SlabStep) -> String {
+    let d = Digits::USUAL;
+    match step.interval {
+        SlabInterval::ParallelInside => "the ray is parallel: inside for every t".into(),
+        SlabInterval::ParallelOutside => "the ray is parallel: outside for every t".into(),
+        SlabInterval::Between { near, far } => format!(
+            "near {}, far {}; largest near {}, smallest far {}",
+            d.number(near),
+            d.number(far),
+            d.number(step.max_near),
+            d.number(step.min_far)
+        ),
+    }
 }
 
 /// Why no more slabs are looked at, if it is so.

@@ -16,7 +16,7 @@ use crate::figure::sheet::{Anchor, Sheet};
 use crate::figure::spec::Layer;
 use crate::figure::view::Stage;
 use crate::scene::PrimitiveId;
-use crate::trace::{BoundTest, Bounded, Event, Record, SlabTest};
+use crate::trace::{BoundTest, Bounded, Event, RaySlab, Record, SlabTest};
 
 pub(super) const KIND: Kind = Kind {
     draw,
@@ -35,6 +35,8 @@ pub(super) const KIND: Kind = Kind {
 pub(super) struct SlabTests<'a> {
     pub(super) of: Bounded,
     pub(super) tests: Vec<(u32, &'a SlabTest)>,
+    /// S and T of the ray and each slab.
+    lines: Vec<&'a RaySlab>,
     pub(super) decided: Option<(u32, &'a BoundTest)>,
 }
 
@@ -60,15 +62,31 @@ impl<'a> SlabTests<'a> {
             )
         })?;
         let mut tests = Vec::new();
+        let mut lines = Vec::new();
         let mut decided = None;
         for record in events {
             match &record.event {
+                Event::SlabRay(line) => lines.push(line),
                 Event::SlabTest(test) if test.of == of => tests.push((record.step, test)),
                 Event::BoundTest(test) if test.of == of => decided = Some((record.step, test)),
                 _ => {}
             }
         }
-        Ok(Self { of, tests, decided })
+        Ok(Self {
+            of,
+            tests,
+            lines,
+            decided,
+        })
+    }
+
+    /// The slabs that were tested, each with its step.
+    fn slabs(&self) -> impl Iterator<Item = (u32, Slab)> {
+        self.tests.iter().filter_map(|(step, test)| {
+            let mut lines = self.lines.iter();
+            let line = lines.find(|line| line.slab == test.step.slab)?;
+            Some((*step, Slab::of(test, line)))
+        })
     }
 
     /// What is in the bound: an object's faces, or of a node of a hierarchy the whole scene.
@@ -88,9 +106,7 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
     let all = bound::bound_of(figure.first, found.of)?;
     let projection = figure.projection();
     let slabs: Vec<(u32, Slab)> = found
-        .tests
-        .iter()
-        .map(|(step, test)| (*step, Slab::of(test)))
+        .slabs()
         .filter(|(_, slab)| slab.is_on_edge(&projection))
         .collect();
     if slabs.is_empty() {

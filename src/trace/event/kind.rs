@@ -9,6 +9,14 @@ impl Kind {
         matches!(self.place(), KindPlace::Building)
     }
 
+    /// The kind without which this one cannot be read: a test of a slab takes S and T from its `slab_ray`.
+    pub const fn needs(self) -> Option<Self> {
+        match self {
+            Self::SlabTest => Some(Self::SlabRay),
+            _ => None,
+        }
+    }
+
     /// The kind with a name of the log.
     pub fn named(name: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|kind| kind.name() == name)

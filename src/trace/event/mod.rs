@@ -22,7 +22,7 @@ pub use search::{BoundOutcome, Bounded};
 pub use table::{
     Aligned, Alternative, Arrival, BoundTest, CellVisit, Connection, Event, Gathered, GridEnter,
     GridExit, HitOutsideCell, Kind, LightTerm, Nearby, Nearest, NodeVisit, PathStart, Photon,
-    PixelColour, PixelSample, QueueStep, RayEnd, RayStart, Shade, SlabTest, Stored, ZSort,
+    PixelColour, PixelSample, QueueStep, RayEnd, RaySlab, RayStart, Shade, SlabTest, Stored, ZSort,
 };
 pub use words::{
     AlignedPart, NodeOutcome, Outcome, PhotonFate, Purpose, QueueAction, Verdict, Visibility,

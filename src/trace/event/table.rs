@@ -11,7 +11,7 @@ use crate::geometry::{
 };
 use crate::scene::{PhongTerm, PrimitiveId};
 use crate::structure::{AssignStep, CellStep, MergeStep, SlabStep, VolumeKind};
-use crate::trace::event::columns::{Column, derived, light, light_if_any, replaced};
+use crate::trace::event::columns::{Column, derived, light, light_if_any, replaced, unbounded};
 use crate::trace::event::declare::{events, fields, payload, variant};
 use crate::trace::event::fields::{Fields, Visitor};
 use crate::trace::event::place::KindPlace;
@@ -98,7 +98,20 @@ events! {
         size: u32,
     }
 
-    /// One slab of a bound is tested (Fig. 15.58(a)).
+    /// S and T of a ray and a direction of slabs are computed, once for all bounds (Fig. 15.58(a)). They come before the
+    /// ray's tests.
+    SlabRay(RaySlab) = "slab_ray", Either {
+        /// Which direction of the set, from 0.
+        slab: u32,
+        /// (A, B, C), of unit length.
+        normal: DVec3,
+        /// S = A·x₀ + B·y₀ + C·z₀.
+        s: f64,
+        /// T = −1/(A·Δx + B·Δy + C·Δz); absent: the ray is parallel to the slab.
+        t_scale: f64 = by unbounded,
+    }
+
+    /// One slab of a bound is tested (Fig. 15.58(a)): with S and T of its `slab_ray`.
     SlabTest(SlabTest) = "slab_test", Either {
         /// What the bound is around.
         of: Bounded = flat,

@@ -1,6 +1,9 @@
 //! What became of a test, by its event, and what else follows from an event's numbers.
 
-use crate::trace::event::table::{Event, PixelColour};
+use glam::DVec3;
+
+use crate::geometry::{PARALLEL, Ray, SlabRay};
+use crate::trace::event::table::{Event, PixelColour, RaySlab};
 use crate::trace::event::verdict::{of_box, of_plane, of_polygon, of_quadratic, of_slab, verdict};
 use crate::trace::event::words::{Verdict, Why};
 
@@ -54,6 +57,23 @@ impl Event {
             Self::PlaneTest { test, .. } => Some(test.chosen().is_some()),
             Self::PolygonTest { test, .. } => Some(test.inside),
             _ => None,
+        }
+    }
+}
+
+impl RaySlab {
+    /// S and T of a ray and one direction of a set. T of a parallel ray is ∞: its sign says nothing.
+    pub(crate) fn new(ray: &Ray, slab: u32, normal: DVec3) -> Self {
+        let SlabRay { s, t_scale } = SlabRay::new(ray, normal);
+        Self {
+            slab,
+            normal,
+            s,
+            t_scale: if PARALLEL < t_scale.abs() {
+                f64::INFINITY
+            } else {
+                t_scale
+            },
         }
     }
 }

@@ -290,11 +290,6 @@ impl Fields for SlabStep {
             "Which direction of the set, from 0.",
             &mut self.slab,
         );
-        v.field("normal", "[A, B, C], of unit length.", &mut self.normal);
-        v.field("s", "S = A x0 + B y0 + C z0.", &mut self.s);
-        // the sign of an infinite T says nothing
-        let meaning = "T = -1/(A dx + B dy + C dz); absent: the ray is parallel.";
-        unbounded(&mut self.t_scale, "t_scale", meaning, v);
         let meaning = "D of the plane furthest along the normal.";
         v.field("d_min", meaning, &mut self.d_min);
         let meaning = "D of the plane furthest back along the normal.";

@@ -64,6 +64,7 @@ impl Limits {
                 self.node(step.second)?;
                 self.slab(step.slab)
             }
+            Event::SlabRay(line) => self.slab(line.slab),
             Event::SlabTest(test) => {
                 self.bounded(test.of)?;
                 self.slab(test.step.slab)

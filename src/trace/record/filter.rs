@@ -14,9 +14,11 @@ impl Kinds {
     /// Every kind.
     pub const ALL: Self = Self(u64::MAX);
 
-    /// These kinds and no other.
+    /// These kinds with those that they [need](Kind::needs), and no other.
     pub fn of(kinds: &[Kind]) -> Self {
-        Self(kinds.iter().fold(0, |set, &kind| set | Self::bit(kind)))
+        let with_needed = kinds.iter().flat_map(|&kind| [Some(kind), kind.needs()]);
+        let bits = with_needed.flatten().map(Self::bit);
+        Self(bits.fold(0, |set, bit| set | bit))
     }
 
     /// Is the kind in the set?
