@@ -56,7 +56,7 @@ words! {
         None = "none",
         /// One double root, at which the ray grazes the surface: the discriminant is 0 within its rounding.
         Graze = "graze",
-        /// Two.
+        /// Two: the ray meets the surface twice.
         Two = "two",
         /// One, of a linear equation: a = 0.
         Linear = "linear",
@@ -198,11 +198,11 @@ words! {
 
 words! {
     for VolumeKind {
-        /// A sphere.
+        /// A bounding sphere.
         Sphere = "sphere",
         /// An ellipsoid with axes in any direction.
         Ellipsoid = "ellipsoid",
-        /// A box along the axes.
+        /// A box along the axes of the world.
         Box = "box",
         /// The intersection of slabs.
         Slabs = "slabs",
