@@ -9,6 +9,7 @@ mod caustic;
 mod chain;
 mod effects;
 mod furnace;
+mod inside_glass;
 mod irradiance;
 mod ledger;
 mod reproducible;

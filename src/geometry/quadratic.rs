@@ -162,3 +162,40 @@ enum RealRoots {
     /// Two, the smaller first.
     Two { t: [f64; 2], near_enters: bool },
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::Root;
+
+    /// t² − 6t + c, with a discriminant and a scale of their own.
+    fn roots(discriminant: f64, scale: f64) -> Roots {
+        let equation = Quadratic {
+            a: 1.0,
+            b: -6.0,
+            c: 9.0 - 0.25 * discriminant,
+            discriminant,
+            scale,
+        };
+        let test = equation.test(TRange::FORWARD, Sides::Both, |_| false);
+        let hit = equation.hit(TRange::FORWARD, Sides::Both);
+        assert_eq!(test.roots.chosen(), hit, "{test:?}");
+        test.roots
+    }
+
+    #[test]
+    fn the_tolerance_itself_is_a_graze_and_the_next_number_beyond_it_is_not() {
+        // 4ε of the scale: 2⁻⁵⁰·64 = 2⁻⁴⁴
+        let tolerance = 2.0_f64.powi(-44);
+        let graze = Roots::Graze(Root {
+            t: 3.0,
+            fate: Fate::Chosen,
+        });
+        for discriminant in [-tolerance, 0.0, tolerance] {
+            assert_eq!(roots(discriminant, 64.0), graze, "{discriminant}");
+        }
+        assert_eq!(roots((-tolerance).next_down(), 64.0), Roots::None);
+        let two = roots(tolerance.next_up(), 64.0);
+        assert!(matches!(two, Roots::Two { .. }), "{two:?}");
+    }
+}

@@ -113,4 +113,14 @@ mod tests {
         let bent = refract(direction, DVec3::Y, 1.5, 1.5).direction.unwrap();
         assert!((bent - direction).length() <= 1e-15);
     }
+
+    #[test]
+    fn radiance_is_n_squared_times_as_much_in_a_medium() {
+        // a ray from the eye that leaves glass of 1.5 for air brings 2.25 times what is seen there; one that goes in
+        // brings 4/9, and one that goes in and out again brings it all
+        let factor = |from, to| refract(DVec3::NEG_Y, DVec3::Y, from, to).radiance_factor();
+        assert_eq!(factor(1.5, 1.0), 2.25);
+        assert!((factor(1.0, 1.5) - 4.0 / 9.0).abs() <= 1e-15);
+        assert_eq!(factor(1.5, 1.5), 1.0);
+    }
 }

@@ -146,4 +146,24 @@ mod tests {
             }
         }
     }
+
+    #[test]
+    fn a_ray_that_needs_ten_to_the_200_for_a_unit_is_not_yet_parallel() {
+        // (0 − 3)·10²⁰⁰ and (0 − 1)·10²⁰⁰: far behind, but two numbers
+        let slab = SlabRay {
+            s: 0.0,
+            t_scale: PARALLEL,
+        };
+        let (near, far) = (-3.0 * PARALLEL, -PARALLEL);
+        assert_eq!(
+            slab.interval(-3.0, -1.0),
+            SlabInterval::Between { near, far }
+        );
+        // the next number is, and x = 0 lies outside of 1 ≤ x ≤ 3
+        let slab = SlabRay {
+            s: 0.0,
+            t_scale: PARALLEL.next_up(),
+        };
+        assert_eq!(slab.interval(-3.0, -1.0), SlabInterval::ParallelOutside);
+    }
 }

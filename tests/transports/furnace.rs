@@ -26,14 +26,23 @@ const SIGMA_OF_FORWARD: f64 = 0.01;
 /// around (0, 0, 0.3), lies inside: 1.1² + 0.3² = 1.3 < 1.5².
 const RADIUS: f64 = 1.5;
 
+/// n of the glass.
+const INDEX: f64 = 1.5;
+
 fn sphere(colour: [f64; 3]) -> Scene {
+    sphere_around("", colour)
+}
+
+/// The same with more objects inside.
+fn sphere_around(objects: &str, colour: [f64; 3]) -> Scene {
     built(&format!(
         r#"{{ "name": "a furnace",
           "camera": {{ "window": {{ "cop": [0, 0, 0.3], "corner": [-0.75, -0.5, -0.4], "right": [1.5, 0, 0],
                                     "up": [0, 1, 0] }}, "pixels": [3, 1] }},
           "lights": [ {{ "name": "lamp", "position": [0, 0, 0], "power": {POWER} }} ],
-          "materials": {{ "wall": {{ "colour": {colour:?}, "diffuse": 1 }} }},
-          "objects": [ {{ "name": "furnace", "material": "wall", "sides": "back",
+          "materials": {{ "wall": {{ "colour": {colour:?}, "diffuse": 1 }},
+                          "glass": {{ "colour": [1, 1, 1], "transmission": 1, "index": {INDEX} }} }},
+          "objects": [ {objects} {{ "name": "furnace", "material": "wall", "sides": "back",
                           "shape": {{ "sphere": {{ "center": [0, 0, 0], "radius": {RADIUS} }} }} }} ] }}"#
     ))
 }
@@ -46,7 +55,21 @@ fn radiance() -> DVec3 {
 /// Every pixel has that radiance.
 #[track_caller]
 fn check_furnace(transport: Transport, sigma: f64, seeds: u64, options: LightOptions) {
-    let pictures = pictures(&sphere(RHO.into()), transport, seeds, options);
+    let scene = sphere(RHO.into());
+    check_radiance(&scene, transport, sigma, seeds, options, radiance());
+}
+
+/// Every pixel of a scene has this radiance.
+#[track_caller]
+fn check_radiance(
+    scene: &Scene,
+    transport: Transport,
+    sigma: f64,
+    seeds: u64,
+    options: LightOptions,
+    radiance: DVec3,
+) {
+    let pictures = pictures(scene, transport, seeds, options);
     for pixel in 0..3 {
         let what = format!("{transport:?}, pixel {pixel}");
         let block = Block {
@@ -54,7 +77,7 @@ fn check_furnace(transport: Transport, sigma: f64, seeds: u64, options: LightOpt
             rows: [0, 1],
         };
         let found = block.estimate(&pictures).is_within(sigma, &what);
-        check_same(&what, found, Estimate::exact(radiance()));
+        check_same(&what, found, Estimate::exact(radiance));
     }
 }
 
@@ -87,6 +110,53 @@ fn a_sphere_is_as_bright_everywhere_seen_by_connecting_lines() {
         ..LightOptions::default()
     };
     check_furnace(Transport::HybridConnected, SIGMA, 20, options);
+}
+
+/// A ball of glass around the lamp and the eye.
+///
+/// It changes nothing on the walls. The lamp is at its center, and light along a radius is not bent. A wall point
+/// sees another wall point in every direction, through the ball or beside it, at the same radiance: radiance is n²
+/// times as much inside the ball, and as much as before behind it. A ray within r/n = 0.8 of the center leaves the ball
+/// (n·sin θ < 1), and the disc of the eye is closer: 0.7² + 0.3² = 0.58 < 0.8². So the eye sees n²·L everywhere.
+const BALL: &str = r#"{ "name": "ball", "material": "glass",
+                        "shape": { "sphere": { "center": [0, 0, 0], "radius": 1.2 } } },"#;
+
+#[test]
+fn an_eye_in_a_ball_of_glass_counts_n_squared_times_the_photons() {
+    let options = LightOptions {
+        paths: 200_000,
+        aperture: Some(0.7),
+        ..LightOptions::default()
+    };
+    let scene = sphere_around(BALL, RHO.into());
+    let radiance = INDEX * INDEX * radiance();
+    check_radiance(
+        &scene,
+        Transport::Forward,
+        SIGMA_OF_FORWARD,
+        20,
+        options,
+        radiance,
+    );
+}
+
+#[test]
+fn an_eye_in_a_ball_of_glass_sees_n_squared_times_what_is_stored_outside() {
+    let options = LightOptions {
+        paths: 20_000,
+        nearest: 5_000,
+        ..LightOptions::default()
+    };
+    let scene = sphere_around(BALL, RHO.into());
+    let radiance = INDEX * INDEX * radiance();
+    check_radiance(
+        &scene,
+        Transport::HybridStored,
+        SIGMA,
+        20,
+        options,
+        radiance,
+    );
 }
 
 /// Sums the power that arrives at surfaces, and what leaves the room.
