@@ -86,22 +86,46 @@ fn the_head_of_a_log_names_the_strategy_and_what_was_chosen() {
     assert_eq!((lists, mailboxes), ("boxes".into(), false.into()));
 }
 
+/// How many lines of a log have all of these words.
+fn count_lines(log: &[u8], words: &[(&str, &str)]) -> u64 {
+    let lines = std::str::from_utf8(log).unwrap().lines();
+    let has = |line: &&str| {
+        let line: Value = serde_json::from_str(line).unwrap();
+        words.iter().all(|(key, word)| line[*key] == *word)
+    };
+    lines.filter(has).count() as u64
+}
+
 #[test]
-fn every_strategy_counts_its_search() {
+fn every_strategy_counts_of_its_search_what_its_log_has() {
     let folder = folder();
-    for (way, counted) in [
-        ("--strategy bounds", "bound_tests"),
-        ("--strategy hierarchy", "nodes_entered"),
-        ("--strategy heap", "heap_pushes"),
-        ("--strategy grid", "cells"),
-        ("--strategy z-aligned", "points_aligned"),
+    let entered = ("outcome", "entered");
+    for (way, counted, kind, of_kind) in [
+        ("bounds", "bound_tests", "bound_test", None),
+        ("hierarchy", "nodes_entered", "node", Some(entered)),
+        ("heap", "nodes_entered", "node", Some(entered)),
+        ("heap", "heap_pushes", "queue", Some(("action", "push"))),
+        ("grid", "cells", "cell", None),
+        ("z-aligned", "points_aligned", "aligned", None),
     ] {
-        let words = format!("render scene.json --pixels 16,12 -o a.png --stats=json {way}");
-        let json: Value = serde_json::from_slice(&folder.run(&words).well()).unwrap();
-        assert!(0 < json["search"][counted].as_u64().unwrap(), "{json}");
-        let words = format!("pixel scene.json 80,60 --stats {way}");
-        let stderr = folder.run(&words).stderr;
-        assert!(stderr.contains(&counted.replace('_', " ")), "{stderr}");
+        let words: Vec<_> = [("kind", kind)].into_iter().chain(of_kind).collect();
+        let picture = format!("scene.json --pixels 16,12 --strategy {way}");
+        let log = folder.run(&format!("trace {picture}")).well();
+        let json = folder
+            .run(&format!("render {picture} -o a.png --stats=json"))
+            .well();
+        let json: Value = serde_json::from_slice(&json).unwrap();
+        let expected = count_lines(&log, &words);
+        assert!(0 < expected, "{way}, {counted}");
+        assert_eq!(json["search"][counted], expected, "{way}, {counted}");
+
+        let pixel = format!("scene.json --strategy {way}");
+        let log = folder.run(&format!("trace {pixel} --region 80,60")).well();
+        let expected = count_lines(&log, &words).to_string();
+        let stderr = folder.run(&format!("pixel {pixel} 80,60 --stats")).stderr;
+        let counted = counted.replace('_', " ");
+        let line = stderr.lines().find_map(|line| line.strip_prefix(&counted));
+        assert_eq!(line.map(str::trim), Some(&*expected), "{way}\n{stderr}");
     }
 }
 
