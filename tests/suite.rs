@@ -16,6 +16,7 @@ mod polygon_exact;
 mod polygon_tilings;
 mod published_counts;
 mod quadrics_exact;
+mod questions;
 mod recording;
 mod refraction_table;
 mod scene_format;
