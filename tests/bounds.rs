@@ -3,6 +3,7 @@
 mod hold;
 mod least;
 mod lowner;
+mod room;
 mod same_hits;
 mod worked;
 

@@ -92,3 +92,31 @@ fn geometry_uses_glam_and_the_exact_predicates_alone() {
         }
     }
 }
+
+#[test]
+fn whether_somebody_follows_is_asked_by_one_line_and_by_those_who_must_make_events() {
+    // the door to the fast drivers; the points of an object in a ray's frame, a polygon's edges, how a structure was built
+    let expected = [
+        ("strategy/chosen.rs", 1),
+        ("strategy/grid.rs", 1),
+        ("strategy/node_bounds.rs", 1),
+        ("strategy/object_test.rs", 1),
+        ("strategy/z_aligned.rs", 2),
+    ];
+    let mut found = Vec::new();
+    for path in sources(&src()) {
+        let place = path.strip_prefix(src()).unwrap();
+        let place = place.to_str().unwrap().replace('\\', "/");
+        let text = fs::read_to_string(&path).unwrap();
+        // a recorder passes the question on
+        let asked = text.matches("R::ENABLED").count();
+        if 0 < asked && !place.starts_with("trace/") {
+            found.push((place.clone(), asked));
+        }
+        let enters = text.contains("strategy::fast") && !place.starts_with("strategy/fast/");
+        assert!(!enters || place == "strategy/chosen.rs", "{place}");
+    }
+    found.sort();
+    let expected = expected.map(|(place, asked)| (place.to_owned(), asked));
+    assert_eq!(found, expected);
+}

@@ -188,15 +188,6 @@ pub(super) fn pair(
     }
 }
 
-/// D as it is told: 0 where it is nothing but the pad by which a bound is larger than what it is around.
-pub(super) fn without_pad(d: f64, slabs: &[Slab]) -> f64 {
-    /// Of the largest coordinate: a hundred pads.
-    const PAD: f64 = 1e-8;
-    let sizes = slabs.iter().flat_map(|slab| [slab.d_min, slab.d_max]);
-    let largest = sizes.map(f64::abs).fold(0.0, f64::max);
-    if d.abs() <= PAD * largest { 0.0 } else { d }
-}
-
 /// The set of slabs that a trace was made with.
 ///
 /// # Errors
@@ -321,14 +312,6 @@ mod tests {
         let above = Projection::new(DVec3::X, DVec3::NEG_Z);
         let seen: Vec<bool> = axes.iter().map(|slab| slab.is_on_edge(&above)).collect();
         assert_eq!(seen, [true, false, true]);
-    }
-
-    #[test]
-    fn what_is_nothing_but_the_pad_is_zero() {
-        let slabs = [slab(0, [1.0, 0.0, 0.0], -1e-10, 2.0)];
-        assert_eq!(without_pad(slabs[0].d_max, &slabs), 0.0);
-        assert_eq!(without_pad(slabs[0].d_min, &slabs), -2.0);
-        assert_eq!(without_pad(1e-7, &slabs), 1e-7);
     }
 
     #[test]

@@ -66,12 +66,18 @@ impl OrientedEllipsoid {
         (self.along_axes(point - self.center) / self.radii).length()
     }
 
-    /// The same form, larger: every half axis by the same factor, and the smallest by `room`.
+    /// A larger ellipsoid that holds every point within `room` of this one.
+    ///
+    /// Every half axis grows by the same factor, the smallest by `room`. Half axes below 16 times the room are first
+    /// brought to that, so that the factor is 17/16 at most.
     #[must_use]
     #[inline]
     pub fn widened(&self, room: f64) -> Self {
+        /// A needle would else grow along its length by as much as across.
+        const LEAST: f64 = 16.0;
+        let radii = self.radii.max(DVec3::splat(LEAST * room));
         Self {
-            radii: self.radii * (1.0 + room / self.radii.min_element()),
+            radii: radii * (1.0 + room / radii.min_element()),
             ..*self
         }
     }

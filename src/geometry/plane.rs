@@ -144,7 +144,7 @@ const ZERO: f64 = 4.0 * f64::EPSILON;
 /// A ray is flat below this share of |Δx| + |Δy| + |Δz|, which is about 1° above the plane. The rounding of
 /// (v) is stretched by no more than 64 above it, to some 10⁻¹³ of the numbers that enter, and without limit
 /// below. A power of 2, so that the product is exact.
-pub(super) const FLAT: f64 = 1.0 / 64.0;
+pub(crate) const FLAT: f64 = 1.0 / 64.0;
 
 impl Plane {
     /// The plane of a polygon, after Newell: each component of the normal is the area of the outline
@@ -242,7 +242,7 @@ impl Plane {
     ///
     /// |A·Δx + B·Δy + C·Δz| ≤ (|Δx| + |Δy| + |Δz|)/64
     #[inline]
-    pub(super) fn is_flat(&self, ray: &Ray) -> bool {
+    pub(crate) fn is_flat(&self, ray: &Ray) -> bool {
         self.normal.dot(ray.direction).abs() <= FLAT * ray.direction.abs().element_sum()
     }
 

@@ -158,7 +158,7 @@ impl Polygon {
     fn upright_blur(&self, ray: &Ray, t: f64) -> f64 {
         let spread = ray.direction.abs().element_sum();
         let reach = ray.origin.abs().element_sum() + t.abs() * spread + self.plane.d.abs();
-        ROUNDING * reach + self.off_plane
+        OUTLINE_ROUNDING * reach + self.off_plane
     }
 
     /// Further than this from the line of an edge, a ray that is not flat is clear of it: four times a blur
@@ -251,7 +251,7 @@ impl Polygon {
 }
 
 /// The some twenty roundings of t and of o + t·Δ, as a share of the numbers that enter (v).
-pub(super) const ROUNDING: f64 = 32.0 * f64::EPSILON;
+pub(crate) const OUTLINE_ROUNDING: f64 = 32.0 * f64::EPSILON;
 
 /// How many edges cross the half-line from p′ along u? `None` if p′ is not clear of the line of each by
 /// `margin`, four times its blur or more.
@@ -261,7 +261,7 @@ pub(super) const ROUNDING: f64 = 32.0 * f64::EPSILON;
 /// 16ε(|Δu·(p_v − v)| + |Δv·(p_u − u)|) ≤ 16ε(|Δu| + |Δv|)(|p′| + |vertex|), and so no more than twice
 /// (|Δu| + |Δv|)·blur, since the blur has 32ε|p′| and 8ε|vertex| in it.
 #[inline]
-pub(super) fn clear_crossings(outline: &[DVec2], p: DVec2, margin: f64) -> Option<u32> {
+pub(crate) fn clear_crossings(outline: &[DVec2], p: DVec2, margin: f64) -> Option<u32> {
     let mut crossings = 0;
     let mut is_clear = true;
     let mut from = *outline.last()?;

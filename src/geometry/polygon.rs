@@ -10,7 +10,7 @@ use glam::{DVec2, DVec3};
 
 use crate::geometry::corners::Corners;
 use crate::geometry::plane::FLAT;
-use crate::geometry::point_in_polygon::ROUNDING;
+use crate::geometry::point_in_polygon::OUTLINE_ROUNDING;
 use crate::geometry::{Axis, Plane, PlaneTest, Ray, Sides, TRange};
 
 /// A polygon in space with everything that does not depend on a ray.
@@ -160,6 +160,11 @@ impl Polygon {
         self.plane
     }
 
+    /// The largest distance of a vertex from the plane, and the rounding of that.
+    pub(crate) fn off_plane(&self) -> f64 {
+        self.off_plane
+    }
+
     /// How far a computed hit may lie off the vertices' extent: they are not quite in one plane.
     pub fn play(&self) -> f64 {
         self.off_plane * FLATTEST
@@ -221,7 +226,7 @@ impl Polygon {
         let beside = |p: DVec2| direction.perp_dot(p - origin);
         let is_passed = |p: DVec2| {
             let reach = origin.abs().element_sum() + p.abs().element_sum();
-            beside(p).abs() <= ROUNDING * reach * direction.abs().element_sum()
+            beside(p).abs() <= OUTLINE_ROUNDING * reach * direction.abs().element_sum()
         };
 
         let mut nearest: Option<f64> = None;

@@ -8,7 +8,7 @@
 //! - −b + √…, when b is large (a small far sphere, or an origin close to a huge one). The root in which
 //!   −b and the square root have one sign is computed first; the other follows from t₁·t₂ = c/a.
 
-use crate::geometry::root::{fate_of, hidden_side, judged, two_roots};
+use crate::geometry::root::{hidden_side, judged, two_roots};
 use crate::geometry::{Fate, Roots, Sides, TRange};
 
 /// A ray grazes a surface if its discriminant is within this share of its larger term.
@@ -34,7 +34,7 @@ pub struct QuadraticTest {
 
 /// The coefficients of (iii), or of its like for another surface.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Quadratic {
+pub(crate) struct Quadratic {
     /// a, exactly 0 where it is nothing but rounding. That is for the shape to say, which knows what entered: a
     /// difference, as for a cone, can be 0; a sum of squares, as for sphere and ellipsoid, is 0 only for a direction
     /// of zero.
@@ -90,36 +90,12 @@ impl Quadratic {
         }
     }
 
-    /// The root that is the hit, if there is one: the one that [`Quadratic::test`] chooses, without the fates of the
-    /// others.
-    #[inline]
-    pub(super) fn hit(&self, range: TRange, sides: Sides) -> Option<f64> {
-        let is_hit = |t: f64, entering| {
-            fate_of(t, range) == Fate::Chosen && hidden_side(entering, sides).is_none()
-        };
-        match self.real_roots() {
-            RealRoots::None => None,
-            RealRoots::Linear { t, entering } => is_hit(t, entering).then_some(t),
-            RealRoots::Graze(t) => is_hit(t, true).then_some(t),
-            RealRoots::Two {
-                t: [near, far],
-                near_enters,
-            } => {
-                if is_hit(near, near_enters) {
-                    Some(near)
-                } else {
-                    is_hit(far, !near_enters).then_some(far)
-                }
-            }
-        }
-    }
-
     /// The roots, whatever lies there.
     ///
     /// The surface is passed from outside to inside where a·t² + b·t + c falls: at the nearer root if
     /// a > 0. Coefficients that are not finite (a product beyond f64) give no root.
     #[inline]
-    fn real_roots(&self) -> RealRoots {
+    pub(crate) fn real_roots(&self) -> RealRoots {
         // most rays pass by: only this much is done for each of them
         let real = -GRAZE * self.scale <= self.discriminant && self.discriminant.is_finite();
         if !real {
@@ -152,7 +128,8 @@ impl Quadratic {
 }
 
 /// The real roots of (iii), or of its like, and whether the surface is entered there.
-enum RealRoots {
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum RealRoots {
     /// None.
     None,
     /// One, of a linear equation.
@@ -178,8 +155,6 @@ mod tests {
             scale,
         };
         let test = equation.test(TRange::FORWARD, Sides::Both, |_| false);
-        let hit = equation.hit(TRange::FORWARD, Sides::Both);
-        assert_eq!(test.roots.chosen(), hit, "{test:?}");
         test.roots
     }
 

@@ -94,7 +94,7 @@ impl Roots {
 
 /// Where is t: behind, too near, too far, or the hit?
 #[inline]
-pub(super) fn fate_of(t: f64, range: TRange) -> Fate {
+pub(crate) fn fate_of(t: f64, range: TRange) -> Fate {
     if t.abs() < range.min {
         Fate::BelowEpsilon
     } else if t <= 0.0 {
@@ -108,7 +108,7 @@ pub(super) fn fate_of(t: f64, range: TRange) -> Fate {
 
 /// Can the side be seen that the ray meets? `entering` means that it meets the front.
 #[inline]
-pub(super) fn hidden_side(entering: bool, sides: Sides) -> Option<Fate> {
+pub(crate) fn hidden_side(entering: bool, sides: Sides) -> Option<Fate> {
     match sides {
         Sides::Front if !entering => Some(Fate::BackFace),
         Sides::Back if entering => Some(Fate::FrontFace),

@@ -53,7 +53,7 @@ impl SlabRay {
 
     /// t = (S + D)·T for `D_min` and `D_max`; without a division.
     ///
-    /// Parallel (T infinite, or beyond [`PARALLEL`]): inside if −`D_max` ≤ S ≤ −`D_min`.
+    /// Parallel (T infinite, or beyond [`PARALLEL`]): inside if S + `D_min` ≤ 0 ≤ S + `D_max`.
     ///
     /// ```
     /// use glam::DVec3;
@@ -68,17 +68,25 @@ impl SlabRay {
     /// ```
     #[inline]
     pub fn interval(&self, d_min: f64, d_max: f64) -> SlabInterval {
+        self.interval_with_room(d_min, d_max, 0.0)
+    }
+
+    /// [`SlabRay::interval`] of a slab that is wider by `room` on either side, which is a length.
+    ///
+    /// The plane furthest along the normal has t = (S − room + `D_min`)·T, the one furthest back
+    /// t = (S + room + `D_max`)·T.
+    #[inline]
+    pub fn interval_with_room(&self, d_min: f64, d_max: f64, room: f64) -> SlabInterval {
+        let from_min = self.s - room + d_min;
+        let from_max = self.s + room + d_max;
         if PARALLEL < self.t_scale.abs() {
-            return if -d_max <= self.s && self.s <= -d_min {
+            return if from_min <= 0.0 && 0.0 <= from_max {
                 SlabInterval::ParallelInside
             } else {
                 SlabInterval::ParallelOutside
             };
         }
-        let (at_min, at_max) = (
-            (self.s + d_min) * self.t_scale,
-            (self.s + d_max) * self.t_scale,
-        );
+        let (at_min, at_max) = (from_min * self.t_scale, from_max * self.t_scale);
         // n·d > 0 makes T negative: then the near plane is that of D_max (erratum 5)
         if self.t_scale < 0.0 {
             SlabInterval::Between {
@@ -127,6 +135,28 @@ mod tests {
                 far: 1.5
             }
         );
+    }
+
+    #[test]
+    fn room_moves_both_planes_outwards_and_t_with_them() {
+        // 1 ≤ x ≤ 3, a quarter wider: 0.75 … 3.25, met at half a unit for each t
+        let ray = Ray::new(DVec3::ZERO, DVec3::new(0.5, 0.5, 0.0));
+        let wider = SlabRay::new(&ray, DVec3::X).interval_with_room(-3.0, -1.0, 0.25);
+        let between = |near, far| SlabInterval::Between { near, far };
+        assert_eq!(wider, between(1.5, 6.5));
+        // back from x = 4
+        let back = Ray::new(DVec3::new(4.0, 0.0, 0.0), DVec3::NEG_X);
+        let wider = SlabRay::new(&back, DVec3::X).interval_with_room(-3.0, -1.0, 0.25);
+        assert_eq!(wider, between(0.75, 3.25));
+        // along y, beside the slab by less than the room, and by more
+        for (x, expected) in [
+            (3.25, SlabInterval::ParallelInside),
+            (3.5, SlabInterval::ParallelOutside),
+        ] {
+            let along = Ray::new(DVec3::new(x, 0.0, 0.0), DVec3::Y);
+            let found = SlabRay::new(&along, DVec3::X).interval_with_room(-3.0, -1.0, 0.25);
+            assert_eq!(found, expected, "{x}");
+        }
     }
 
     #[test]

@@ -43,27 +43,6 @@ impl Sphere {
         Quadratic::of_sphere(ray, self.center, self.radius).test(range, sides, |_| false)
     }
 
-    /// The t that [`Sphere::test`] chooses: the same without all else that the test has to tell.
-    #[inline]
-    pub fn hit(&self, ray: &Ray, range: TRange, sides: Sides) -> Option<f64> {
-        Quadratic::of_sphere(ray, self.center, self.radius).hit(range, sides)
-    }
-
-    /// Does the line of the ray pass the sphere so far from its edge that [`Sphere::test`] finds no real root,
-    /// whatever is rounded?
-    ///
-    /// The discriminant (o·Δ)² − a·(|o|² − r²), a quarter of b² − 4ac, is below 0 by more than 10⁻⁵ of a·|o|²: that
-    /// is beyond the rounding of its terms and beyond what counts as a graze. So it is enough to subtract them here,
-    /// with fewer products than the test needs. `false` says nothing.
-    #[inline]
-    pub fn is_clearly_missed(&self, ray: &Ray) -> bool {
-        let offset = ray.origin - self.center;
-        let a = ray.direction.length_squared();
-        let half_b = ray.direction.dot(offset);
-        let c = (1.0 - DISCRIMINANT_CANCELS) * offset.length_squared() - self.radius * self.radius;
-        half_b * half_b < a * c
-    }
-
     /// ((x − a)/r, (y − b)/r, (z − c)/r): the unit normal at a point of the surface, outwards.
     ///
     /// A computed point is on the surface but for its rounding, so the quotient is brought to unit
@@ -77,7 +56,7 @@ impl Sphere {
 /// larger of it and (b/2)², the discriminant is taken again. With D a quarter of it, the larger root is
 /// (|b|/2 + √D)/a: the plain rounding of D, some 10⁻¹⁵ of |Δ|²|o − center|², changes that by
 /// 10⁻¹⁵/(2·10⁻⁵) = 5·10⁻¹¹ of itself at most, from afar as from close to the surface.
-pub(super) const DISCRIMINANT_CANCELS: f64 = 1e-5;
+pub(crate) const DISCRIMINANT_CANCELS: f64 = 1e-5;
 /// Below this share of r², c has lost digits and is taken again, for the same reason.
 pub(super) const C_CANCELS: f64 = 1e-6;
 
@@ -91,7 +70,7 @@ impl Quadratic {
     /// |o × Δ| / |Δ| is the distance at which the line passes the center, so this compares two lengths
     /// instead of subtracting two large products.
     #[inline]
-    pub(super) fn of_sphere(ray: &Ray, center: DVec3, radius: f64) -> Self {
+    pub(crate) fn of_sphere(ray: &Ray, center: DVec3, radius: f64) -> Self {
         let offset = ray.origin - center;
         let offset2 = offset.length_squared();
         let radius2 = radius * radius;
@@ -148,7 +127,6 @@ mod tests {
         let ray = Ray::new(origin.into(), direction.into());
         let test = sphere.test(&ray, range, Sides::Both);
         assert_eq!(test.roots, roots, "{test:?}");
-        assert_eq!(sphere.hit(&ray, range, Sides::Both), roots.chosen());
     }
 
     #[test]
@@ -158,24 +136,6 @@ mod tests {
         let test = UNIT.test(&ray, TRange::FORWARD, Sides::Both);
         assert_eq!(test.discriminant, -12.0);
         assert_eq!(test.roots, Roots::None);
-    }
-
-    #[test]
-    fn only_a_ray_that_passes_well_beside_the_sphere_misses_it_clearly() {
-        // from (−5, y, 0) along x: r² − y² against 10⁻⁵·(25 + y²), which is 0.00026
-        for (y, clear) in [
-            (2.0, true),
-            (1.01, true),
-            (1.0001, false),
-            (1.0, false),
-            (0.5, false),
-        ] {
-            let ray = Ray::new(DVec3::new(-5.0, y, 0.0), 3.0 * DVec3::X);
-            assert_eq!(UNIT.is_clearly_missed(&ray), clear, "{y}");
-        }
-        // a direction of zero says nothing
-        let still = Ray::new(DVec3::new(-5.0, 2.0, 0.0), DVec3::ZERO);
-        assert!(!UNIT.is_clearly_missed(&still));
     }
 
     #[test]
@@ -241,7 +201,6 @@ mod tests {
             panic!("two roots");
         };
         assert_eq!((near.fate, far.fate), (Fate::BelowEpsilon, Fate::Chosen));
-        assert_eq!(UNIT.hit(&ray, range, Sides::Both), Some(far.t));
     }
 
     #[test]
@@ -266,17 +225,12 @@ mod tests {
     #[test]
     fn a_sphere_that_shows_one_side_is_hit_on_that_side() {
         let ray = Ray::new(DVec3::new(-5.0, 0.0, 0.0), DVec3::X);
-        let hit = |sides| {
-            let hit = UNIT.hit(&ray, TRange::FORWARD, sides);
-            let test = UNIT.test(&ray, TRange::FORWARD, sides);
-            assert_eq!(test.roots.chosen(), hit);
-            hit
-        };
-        assert_eq!(hit(Sides::Front), Some(4.0));
-        assert_eq!(hit(Sides::Back), Some(6.0));
+        let hit = |ray: &Ray, sides| UNIT.test(ray, TRange::FORWARD, sides).roots.chosen();
+        assert_eq!(hit(&ray, Sides::Front), Some(4.0));
+        assert_eq!(hit(&ray, Sides::Back), Some(6.0));
         let inside = Ray::new(DVec3::ZERO, DVec3::X);
-        assert_eq!(UNIT.hit(&inside, TRange::FORWARD, Sides::Front), None);
-        assert_eq!(UNIT.hit(&inside, TRange::FORWARD, Sides::Back), Some(1.0));
+        assert_eq!(hit(&inside, Sides::Front), None);
+        assert_eq!(hit(&inside, Sides::Back), Some(1.0));
     }
 
     #[test]

@@ -6,20 +6,20 @@
 
 use std::ops::ControlFlow;
 
-use crate::geometry::{MOST_SLABS, Ray};
-use crate::scene::{Object, PrimitiveId, Scene};
+use crate::geometry::{MOST_SLABS, Ray, TRange};
+use crate::scene::{PrimitiveId, Scene};
 use crate::strategy::slab_rays::note_slab_rays;
 use crate::strategy::{Search, Strategy};
-use crate::structure::{NO_SLAB, SlabSet, Volume, VolumeKind, VolumeRay, crossed, reach};
+use crate::structure::{SlabSet, Volume, VolumeKind, VolumeRay, reach, room};
 use crate::trace::{BoundOutcome, BoundTest, Bounded, Event, Recorder, SlabTest};
 
 /// Tests a ray against the volume around each object, in the order of the scene, and if it meets that where
 /// a hit still counts, against the object.
 #[derive(Clone, Debug)]
 pub struct BoundedObjects<'a, const N: usize = MOST_SLABS> {
-    scene: &'a Scene,
+    pub(super) scene: &'a Scene,
     kind: VolumeKind,
-    set: SlabSet<N>,
+    pub(super) set: SlabSet<N>,
     /// One for each object of the scene.
     volumes: Vec<Volume<N>>,
     /// The largest coordinate of the objects.
@@ -46,82 +46,67 @@ impl<'a, const N: usize> BoundedObjects<'a, N> {
         &self.volumes
     }
 
-    /// Does the ray meet the volume where a hit still counts?
-    #[inline]
+    /// The room for rounding that all volumes have around a ray.
+    pub(super) fn room(&self, ray: &Ray) -> f64 {
+        room(ray, self.reach)
+    }
+
+    /// Does the ray meet the volume around an object where a hit still counts?
     fn meets<R: Recorder>(
         &self,
-        (number, volume): (u32, &Volume<N>),
-        ray: &Ray,
-        line: &VolumeRay<N>,
-        search: &impl Search,
+        object: u32,
+        ray: &VolumeRay<N>,
+        range: TRange,
         recorder: &mut R,
     ) -> bool {
-        let of = Bounded::Object(number);
-        let mut so_far = NO_SLAB;
-        let inside = volume.inside(line, |slab, near, far| {
-            // a set with fewer directions than it has room for is filled up with slabs that hold everything
-            if R::ENABLED
-                && let Volume::Slabs(bound) = volume
-                && slab < self.set.directions().len()
-            {
-                let step = bound.step(slab, ray, &self.set, so_far, crossed(near, far));
-                so_far = [step.max_near, step.min_far];
-                recorder.note(|| Event::SlabTest(SlabTest { of, step }));
+        let of = Bounded::Object(object);
+        let mut inside = None;
+        match &self.volumes[object as usize] {
+            Volume::Slabs(bound) => {
+                for step in bound.steps(ray.across_set(), &self.set) {
+                    recorder.note(|| Event::SlabTest(SlabTest { of, step }));
+                    inside = step.inside();
+                }
             }
-            R::ENABLED
-        });
-        let mut inside = inside.and_then(|inside| inside.ends());
-        let outcome = BoundOutcome::of(inside, search.range());
-        if let Volume::Slabs(_) = volume
-            && R::ENABLED
-        {
-            // decided with room for rounding, told as the slabs were
-            inside = inside.map(|_| so_far);
+            other => inside = other.inside(ray, &self.set),
         }
+        let inside = inside.and_then(|inside| inside.ends());
+        let outcome = BoundOutcome::of(inside, range);
         recorder.note(|| {
             Event::BoundTest(BoundTest {
                 of,
                 volume: self.kind,
                 inside,
+                room: ray.room(),
                 outcome,
             })
         });
         outcome == BoundOutcome::Hit
     }
+}
 
-    /// Tests what an object consists of: itself, or the faces of a mesh.
-    #[inline]
-    fn test_object<R: Recorder>(
+impl<const N: usize> Strategy for BoundedObjects<'_, N> {
+    fn search<R: Recorder>(
         &self,
-        object: &Object,
         ray: &Ray,
         search: &mut impl Search,
         recorder: &mut R,
     ) -> ControlFlow<()> {
-        let first = object.first.0;
-        for id in (first..first + object.count).map(PrimitiveId) {
-            search.test(id, self.scene.primitive(id), ray, recorder)?;
-        }
-        ControlFlow::Continue(())
-    }
-}
-
-impl<const N: usize> Strategy for BoundedObjects<'_, N> {
-    #[inline]
-    fn search<R: Recorder>(&self, ray: &Ray, search: &mut impl Search, recorder: &mut R) {
-        let line = VolumeRay::new(ray, &self.set, self.reach);
+        let line = VolumeRay::new(ray, &self.set, self.room(ray));
         if self.kind == VolumeKind::Slabs {
             note_slab_rays(ray, &self.set, recorder);
         }
-        let volumes = (0..).zip(&self.volumes);
-        for (volume, object) in volumes.zip(&self.scene.objects) {
-            if !self.meets(volume, ray, &line, search, recorder) {
+        for (number, object) in (0..).zip(&self.scene.objects) {
+            if !self.meets(number, &line, search.range(), recorder) {
                 continue;
             }
-            if self.test_object(object, ray, search, recorder).is_break() {
-                return;
+            // the object itself, or the faces of a mesh
+            let first = object.first.0;
+            for id in (first..first + object.count).map(PrimitiveId) {
+                search.test(id, self.scene.primitive(id), ray, recorder)?;
             }
         }
+        ControlFlow::Continue(())
     }
 
     fn bytes(&self) -> usize {

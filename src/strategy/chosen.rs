@@ -1,40 +1,84 @@
-//! The strategy that was asked for by name: the one place that knows them all.
+//! The strategy that was asked for by name, and the one line that chooses its driver.
+//!
+//! ```text
+//!                    ┌─ somebody follows ─▶ the strategy: steps, each noted ─┐
+//! ray ─▶ Chosen ─────┤                                                       ├─▶ the same hit
+//!                    └─ nobody does ──────▶ fast: the same structure, aids ──┘
+//! ```
+
+use std::ops::ControlFlow;
+use std::sync::OnceLock;
 
 use crate::geometry::{MOST_SLABS, Ray};
 use crate::scene::Scene;
+use crate::strategy::fast::Fast;
 use crate::strategy::{
     BoundedObjects, DepthFirst, Exhaustive, HeapOrdered, Search, Strategy, UniformGrid, ZAligned,
 };
 use crate::structure::{Grid, SlabChoice, SlabSet, StructureError, StructureOptions, VolumeKind};
 use crate::trace::{Recorder, StrategyName};
 
-/// One of the strategies, with its structure built. Which one is asked once for each ray.
+/// One of the strategies, with its structure built and both its drivers. Which one is asked once for each ray.
 #[derive(Clone, Debug)]
-pub enum Chosen<'a> {
-    /// Every object.
-    Exhaustive(Exhaustive<'a>),
-    /// A volume around each object; slabs across the axes.
-    Bounds3(BoundedObjects<'a, 3>),
-    /// The same, with the seven slabs of Kay and Kajiya.
-    Bounds7(BoundedObjects<'a, 7>),
-    /// The same, with the scene's own slabs.
-    BoundsOwn(Box<BoundedObjects<'a, MOST_SLABS>>),
-    /// A hierarchy of boxes.
-    Hierarchy3(DepthFirst<'a, 3>),
-    /// A hierarchy with the seven slabs of Kay and Kajiya.
-    Hierarchy7(DepthFirst<'a, 7>),
-    /// A hierarchy with the scene's own slabs.
-    HierarchyOwn(Box<DepthFirst<'a, MOST_SLABS>>),
-    /// The same, walked by a heap.
-    Heap3(HeapOrdered<'a, 3>),
-    /// The same, walked by a heap.
-    Heap7(HeapOrdered<'a, 7>),
-    /// The same, walked by a heap.
-    HeapOwn(Box<HeapOrdered<'a, MOST_SLABS>>),
-    /// Every object, in the frame of the ray.
+pub struct Chosen<'a>(Strategies<'a>);
+
+/// A strategy, and what its fast driver needs.
+#[derive(Clone, Debug)]
+struct Driven<S: Fast> {
+    strategy: S,
+    /// Built when the first ray comes that nobody follows.
+    aids: OnceLock<S::Aids>,
+}
+
+/// All of them. Slabs across the axes are three, those of Kay and Kajiya seven, the scene's own up to sixteen.
+#[derive(Clone, Debug)]
+enum Strategies<'a> {
+    Exhaustive(Driven<Exhaustive<'a>>),
+    Bounds3(Driven<BoundedObjects<'a, 3>>),
+    Bounds7(Driven<BoundedObjects<'a, 7>>),
+    BoundsOwn(Box<Driven<BoundedObjects<'a, MOST_SLABS>>>),
+    Hierarchy3(Driven<DepthFirst<'a, 3>>),
+    Hierarchy7(Driven<DepthFirst<'a, 7>>),
+    HierarchyOwn(Box<Driven<DepthFirst<'a, MOST_SLABS>>>),
+    Heap3(Driven<HeapOrdered<'a, 3>>),
+    Heap7(Driven<HeapOrdered<'a, 7>>),
+    HeapOwn(Box<Driven<HeapOrdered<'a, MOST_SLABS>>>),
     ZAligned(ZAligned<'a>),
-    /// A uniform grid.
-    Grid(Box<UniformGrid<'a>>),
+    Grid(Box<Driven<UniformGrid<'a>>>),
+}
+
+impl<S: Fast> Driven<S> {
+    fn new(strategy: S) -> Self {
+        Self {
+            strategy,
+            aids: OnceLock::new(),
+        }
+    }
+}
+
+impl<S: Fast> Strategy for Driven<S> {
+    #[inline]
+    fn search<R: Recorder>(
+        &self,
+        ray: &Ray,
+        search: &mut impl Search,
+        recorder: &mut R,
+    ) -> ControlFlow<()> {
+        let Self { strategy, aids } = self;
+        if R::ENABLED {
+            strategy.search(ray, search, recorder)
+        } else {
+            strategy.search_fast(aids.get_or_init(|| strategy.aids()), ray, search)
+        }
+    }
+
+    fn note_building<R: Recorder>(&self, recorder: &mut R) {
+        self.strategy.note_building(recorder);
+    }
+
+    fn bytes(&self) -> usize {
+        self.strategy.bytes() + self.aids.get().map_or(0, S::bytes_of)
+    }
 }
 
 impl<'a> Chosen<'a> {
@@ -60,49 +104,51 @@ impl<'a> Chosen<'a> {
             ) => SlabChoice::Axes,
             _ => options.slabs,
         };
-        Ok(match (name, slabs) {
-            (StrategyName::Exhaustive, _) => Self::Exhaustive(Exhaustive::new(scene)),
-            (StrategyName::Bounds, SlabChoice::Axes) => {
-                Self::Bounds3(BoundedObjects::new(scene, volume, &SlabSet::AXES))
+        Ok(Self(match (name, slabs) {
+            (StrategyName::Exhaustive, _) => {
+                Strategies::Exhaustive(Driven::new(Exhaustive::new(scene)))
             }
-            (StrategyName::Bounds, SlabChoice::Seven) => {
-                Self::Bounds7(BoundedObjects::new(scene, volume, &SlabSet::SEVEN))
-            }
-            (StrategyName::Bounds, SlabChoice::Scene) => {
-                Self::BoundsOwn(Box::new(BoundedObjects::new(scene, volume, &own()?)))
-            }
+            (StrategyName::Bounds, SlabChoice::Axes) => Strategies::Bounds3(Driven::new(
+                BoundedObjects::new(scene, volume, &SlabSet::AXES),
+            )),
+            (StrategyName::Bounds, SlabChoice::Seven) => Strategies::Bounds7(Driven::new(
+                BoundedObjects::new(scene, volume, &SlabSet::SEVEN),
+            )),
+            (StrategyName::Bounds, SlabChoice::Scene) => Strategies::BoundsOwn(Box::new(
+                Driven::new(BoundedObjects::new(scene, volume, &own()?)),
+            )),
             (StrategyName::Hierarchy, SlabChoice::Axes) => {
-                Self::Hierarchy3(DepthFirst::new(scene, &SlabSet::AXES, build))
+                Strategies::Hierarchy3(Driven::new(DepthFirst::new(scene, &SlabSet::AXES, build)))
             }
             (StrategyName::Hierarchy, SlabChoice::Seven) => {
-                Self::Hierarchy7(DepthFirst::new(scene, &SlabSet::SEVEN, build))
+                Strategies::Hierarchy7(Driven::new(DepthFirst::new(scene, &SlabSet::SEVEN, build)))
             }
-            (StrategyName::Hierarchy, SlabChoice::Scene) => {
-                Self::HierarchyOwn(Box::new(DepthFirst::new(scene, &own()?, build)))
-            }
+            (StrategyName::Hierarchy, SlabChoice::Scene) => Strategies::HierarchyOwn(Box::new(
+                Driven::new(DepthFirst::new(scene, &own()?, build)),
+            )),
             (StrategyName::Heap, SlabChoice::Axes) => {
-                Self::Heap3(HeapOrdered::new(scene, &SlabSet::AXES, build))
+                Strategies::Heap3(Driven::new(HeapOrdered::new(scene, &SlabSet::AXES, build)))
             }
             (StrategyName::Heap, SlabChoice::Seven) => {
-                Self::Heap7(HeapOrdered::new(scene, &SlabSet::SEVEN, build))
+                Strategies::Heap7(Driven::new(HeapOrdered::new(scene, &SlabSet::SEVEN, build)))
             }
-            (StrategyName::Heap, SlabChoice::Scene) => {
-                Self::HeapOwn(Box::new(HeapOrdered::new(scene, &own()?, build)))
-            }
-            (StrategyName::ZAligned, _) => Self::ZAligned(ZAligned::new(scene)),
+            (StrategyName::Heap, SlabChoice::Scene) => Strategies::HeapOwn(Box::new(Driven::new(
+                HeapOrdered::new(scene, &own()?, build),
+            ))),
+            (StrategyName::ZAligned, _) => Strategies::ZAligned(ZAligned::new(scene)),
             (StrategyName::Grid, _) => {
                 let grid = UniformGrid::new(scene, &options.grid).map_err(StructureError::Grid)?;
-                Self::Grid(Box::new(grid))
+                Strategies::Grid(Box::new(Driven::new(grid)))
             }
-        })
+        }))
     }
 }
 
 impl Chosen<'_> {
     /// The grid, if that is the strategy.
     pub fn grid(&self) -> Option<&Grid> {
-        match self {
-            Self::Grid(strategy) => Some(strategy.grid()),
+        match &self.0 {
+            Strategies::Grid(driven) => Some(driven.strategy.grid()),
             _ => None,
         }
     }
@@ -111,26 +157,31 @@ impl Chosen<'_> {
 /// Does the same with whichever strategy it is.
 macro_rules! whichever {
     ($chosen:expr, $strategy:ident => $work:expr) => {
-        match $chosen {
-            Chosen::Exhaustive($strategy) => $work,
-            Chosen::Bounds3($strategy) => $work,
-            Chosen::Bounds7($strategy) => $work,
-            Chosen::BoundsOwn($strategy) => $work,
-            Chosen::Hierarchy3($strategy) => $work,
-            Chosen::Hierarchy7($strategy) => $work,
-            Chosen::HierarchyOwn($strategy) => $work,
-            Chosen::Heap3($strategy) => $work,
-            Chosen::Heap7($strategy) => $work,
-            Chosen::HeapOwn($strategy) => $work,
-            Chosen::ZAligned($strategy) => $work,
-            Chosen::Grid($strategy) => $work,
+        match &$chosen.0 {
+            Strategies::Exhaustive($strategy) => $work,
+            Strategies::Bounds3($strategy) => $work,
+            Strategies::Bounds7($strategy) => $work,
+            Strategies::BoundsOwn($strategy) => $work,
+            Strategies::Hierarchy3($strategy) => $work,
+            Strategies::Hierarchy7($strategy) => $work,
+            Strategies::HierarchyOwn($strategy) => $work,
+            Strategies::Heap3($strategy) => $work,
+            Strategies::Heap7($strategy) => $work,
+            Strategies::HeapOwn($strategy) => $work,
+            Strategies::ZAligned($strategy) => $work,
+            Strategies::Grid($strategy) => $work,
         }
     };
 }
 
 impl Strategy for Chosen<'_> {
-    fn search<R: Recorder>(&self, ray: &Ray, search: &mut impl Search, recorder: &mut R) {
-        whichever!(self, strategy => strategy.search(ray, search, recorder));
+    fn search<R: Recorder>(
+        &self,
+        ray: &Ray,
+        search: &mut impl Search,
+        recorder: &mut R,
+    ) -> ControlFlow<()> {
+        whichever!(self, strategy => strategy.search(ray, search, recorder))
     }
 
     fn note_building<R: Recorder>(&self, recorder: &mut R) {

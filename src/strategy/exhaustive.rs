@@ -1,5 +1,7 @@
 //! Every object, in the order of the scene: the inner loop of Fig. 15.56.
 
+use std::ops::ControlFlow;
+
 use crate::geometry::Ray;
 use crate::scene::{PrimitiveId, Scene};
 use crate::strategy::{Search, Strategy};
@@ -11,7 +13,7 @@ use crate::trace::Recorder;
 /// intersection and object name; }` (Fig. 15.56)
 #[derive(Clone, Copy, Debug)]
 pub struct Exhaustive<'a> {
-    scene: &'a Scene,
+    pub(super) scene: &'a Scene,
 }
 
 impl<'a> Exhaustive<'a> {
@@ -23,11 +25,15 @@ impl<'a> Exhaustive<'a> {
 
 impl Strategy for Exhaustive<'_> {
     #[inline]
-    fn search<R: Recorder>(&self, ray: &Ray, search: &mut impl Search, recorder: &mut R) {
+    fn search<R: Recorder>(
+        &self,
+        ray: &Ray,
+        search: &mut impl Search,
+        recorder: &mut R,
+    ) -> ControlFlow<()> {
         for (id, primitive) in (0..).map(PrimitiveId).zip(&self.scene.primitives) {
-            if search.test(id, primitive, ray, recorder).is_break() {
-                return;
-            }
+            search.test(id, primitive, ray, recorder)?;
         }
+        ControlFlow::Continue(())
     }
 }

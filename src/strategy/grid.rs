@@ -4,29 +4,46 @@
 //! holds only if the intersection lies *inside* that partition (erratum 6, Fig. 15.62): an object on this cell's
 //! list may be hit in a later cell, with a nearer object in between. Such a hit is kept, and the walk goes
 //! on until it has passed it.
+//!
+//! **Mailboxes.** An object in several cells is on the list of each. A ray that passes through them tests it in the
+//! first and leaves a stamp in the object's mailbox; the stamp says in the others that it is done (B. Arnaldi, T. Priol
+//! and K. Bouatouch 1987; J. Amanatides and A. Woo 1987). Here the stamped objects are a set.
 
-use std::ops::{ControlFlow, Range};
+use std::collections::HashSet;
+use std::ops::ControlFlow;
 
 use crate::geometry::{Ray, TRange};
 use crate::scene::{PrimitiveId, Scene};
-use crate::strategy::leaf_order::LeafOrder;
-use crate::strategy::mailbox::Mailboxes;
-use crate::strategy::{Search, Strategy};
-use crate::structure::{Grid, GridError, GridOptions};
+use crate::strategy::{Search, Strategy, test_primitive};
+use crate::structure::{CellStep, Grid, GridError, GridOptions};
 use crate::trace::{CellVisit, Event, GridEnter, GridExit, HitOutsideCell, Recorder, WalkEnd};
 
 /// Tests the objects of the cells that a ray pierces, cell by cell.
 #[derive(Clone, Debug)]
 pub struct UniformGrid<'a> {
-    grid: Grid,
-    /// The objects in the order of the lists.
-    objects: LeafOrder<'a>,
-    mailboxes: bool,
+    pub(super) scene: &'a Scene,
+    pub(super) grid: Grid,
+    pub(super) mailboxes: bool,
 }
 
 /// Room for the error of an object's own t: a computed root is good to 10⁻¹⁰ of itself. What error it has
 /// beyond that, where t is small beside the coordinates, lies within the room around each object in the lists.
 const STRETCH: f64 = 1e-9;
+
+/// The range in which cells are visited: a little longer than that of the hits.
+pub(super) fn walked(range: TRange) -> TRange {
+    TRange {
+        min: range.min * (1.0 - STRETCH),
+        max: range.max * (1.0 + STRETCH),
+    }
+}
+
+/// Does a nearest hit lie before the end of a cell, so that no later cell can hold a nearer one?
+///
+/// Equal t does not end the walk: of two such hits the object first in the scene wins.
+pub(super) fn is_passed(nearest: f64, t_out: f64) -> bool {
+    nearest * (1.0 + STRETCH) < t_out
+}
 
 impl<'a> UniformGrid<'a> {
     /// Builds the grid over a scene.
@@ -34,10 +51,9 @@ impl<'a> UniformGrid<'a> {
     /// # Errors
     /// Options that make no sense, or a grid that would take too much memory.
     pub fn new(scene: &'a Scene, options: &GridOptions) -> Result<Self, GridError> {
-        let grid = Grid::new(scene, options)?;
         Ok(Self {
-            objects: LeafOrder::of_cells(scene, grid.lists().objects()),
-            grid,
+            scene,
+            grid: Grid::new(scene, options)?,
             mailboxes: options.mailboxes,
         })
     }
@@ -47,23 +63,45 @@ impl<'a> UniformGrid<'a> {
         &self.grid
     }
 
-    /// Walks the cells; `is_first` says whether an object is to be tested.
-    #[inline]
-    fn walk<R: Recorder>(
+    /// Tests the objects on a cell's list, unless they have a stamp of this ray.
+    fn test_listed<R: Recorder>(
+        &self,
+        cell: &CellStep,
+        stamped: &mut HashSet<PrimitiveId>,
+        ray: &Ray,
+        search: &mut impl Search,
+        recorder: &mut R,
+    ) -> ControlFlow<()> {
+        for &object in self.grid.cell_objects(cell.cell) {
+            recorder.note(|| Event::Listed { object });
+            if self.mailboxes && !stamped.insert(object) {
+                recorder.note(|| Event::Mailbox { object });
+                continue;
+            }
+            let primitive = self.scene.primitive(object);
+            let Some(t) = test_primitive(object, primitive, ray, search.range(), recorder) else {
+                continue;
+            };
+            let offered = search.offer(object, t, recorder);
+            let t_out = cell.t_out;
+            if t_out < t {
+                recorder.note(|| Event::HitOutsideCell(HitOutsideCell { object, t, t_out }));
+            }
+            offered?;
+        }
+        ControlFlow::Continue(())
+    }
+}
+
+impl Strategy for UniformGrid<'_> {
+    fn search<R: Recorder>(
         &self,
         ray: &Ray,
         search: &mut impl Search,
         recorder: &mut R,
-        mut is_first: impl FnMut(PrimitiveId) -> bool,
-    ) {
+    ) -> ControlFlow<()> {
         let range = search.range();
-        let mut walk = self.grid.walk(
-            ray,
-            TRange {
-                min: range.min * (1.0 - STRETCH),
-                max: range.max * (1.0 + STRETCH),
-            },
-        );
+        let walk = self.grid.walk(ray, walked(range));
         recorder.note(|| {
             Event::GridEnter(GridEnter {
                 min: self.grid.min(),
@@ -73,90 +111,34 @@ impl<'a> UniformGrid<'a> {
                 cell: walk.cell(),
             })
         });
-        let mut end = WalkEnd::Outside;
-        let mut cells = 0;
-        loop {
-            let entering = if R::ENABLED { walk.entering() } else { None };
-            let Some((number, leaving)) = walk.step() else {
-                break;
-            };
+        let mut stamped = HashSet::new();
+        let (mut cells, mut end) = (0, WalkEnd::Outside);
+        let mut found = ControlFlow::Continue(());
+        for step in walk {
             cells += 1;
             end = WalkEnd::Left;
-            let listed = self.grid.lists().range(number);
-            if let Some(entering) = entering {
-                recorder.note(|| {
-                    Event::Cell(CellVisit {
-                        step: leaving.completes(entering),
-                        listed: listed.len() as u32,
-                    })
-                });
-            }
-            let tested = self.test_listed(listed, leaving.t, ray, search, recorder, &mut is_first);
-            // equal t does not end it: of two such hits the object first in the scene wins
+            let listed = self.grid.cell_objects(step.cell).len() as u32;
+            recorder.note(|| Event::Cell(CellVisit { step, listed }));
+            found = self.test_listed(&step, &mut stamped, ray, search, recorder);
             let nearest = search.range().max;
-            let is_passed = nearest < range.max && nearest * (1.0 + STRETCH) < leaving.t;
-            if tested.is_break() || is_passed {
+            if found.is_break() || (nearest < range.max && is_passed(nearest, step.t_out)) {
                 end = WalkEnd::HitInCell;
                 break;
             }
         }
         recorder.note(|| Event::GridExit(GridExit { end, cells }));
-    }
-
-    /// Tests the objects of a cell: those in these places of all lists.
-    #[inline]
-    fn test_listed<R: Recorder>(
-        &self,
-        listed: Range<usize>,
-        t_out: f64,
-        ray: &Ray,
-        search: &mut impl Search,
-        recorder: &mut R,
-        is_first: &mut impl FnMut(PrimitiveId) -> bool,
-    ) -> ControlFlow<()> {
-        let order = self.grid.lists().objects();
-        self.objects.visit::<R>(order, listed, ray, |listed| {
-            let object = listed.id();
-            recorder.note(|| Event::Listed { object });
-            if !is_first(object) {
-                recorder.note(|| Event::Mailbox { object });
-                return ControlFlow::Continue(());
-            }
-            let scene = self.objects.scene();
-            let Some(t) = listed.test(scene, ray, search.range(), recorder) else {
-                return ControlFlow::Continue(());
-            };
-            let offered = search.offer(object, t, recorder);
-            if t_out < t {
-                recorder.note(|| Event::HitOutsideCell(HitOutsideCell { object, t, t_out }));
-            }
-            offered
-        })
-    }
-}
-
-impl Strategy for UniformGrid<'_> {
-    #[inline]
-    fn search<R: Recorder>(&self, ray: &Ray, search: &mut impl Search, recorder: &mut R) {
-        if self.mailboxes {
-            let mut mailboxes = Mailboxes::for_ray(self.objects.scene().primitives.len());
-            self.walk(ray, search, recorder, |object| {
-                mailboxes.is_first(object.0 as usize)
-            });
-        } else {
-            self.walk(ray, search, recorder, |_| true);
-        }
+        found
     }
 
     fn note_building<R: Recorder>(&self, recorder: &mut R) {
         if R::ENABLED {
-            for assignment in self.grid.assignments(self.objects.scene()) {
+            for assignment in self.grid.assignments(self.scene) {
                 recorder.note(|| Event::Assign(assignment));
             }
         }
     }
 
     fn bytes(&self) -> usize {
-        self.grid.bytes() + self.objects.bytes()
+        self.grid.bytes()
     }
 }

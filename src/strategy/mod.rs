@@ -1,26 +1,34 @@
 //! Which objects is a ray tested against? Each strategy gives the same answer at another cost.
+//!
+//! A file for each strategy says it as the slides do, and notes each step: that is what runs whenever somebody follows.
+//! Where nobody does, [`Chosen`] takes another driver over the same structures and the same geometry: all that exists
+//! for speed alone is in `fast`.
 
 mod bounds;
 mod chosen;
 mod exhaustive;
+mod fast;
 mod grid;
+mod heap;
 mod hierarchy;
-mod leaf_order;
-mod mailbox;
 mod nearest;
+mod node_bounds;
 mod object_test;
 mod slab_rays;
-mod waiting;
+mod transformed;
 mod z_aligned;
 
 pub use bounds::BoundedObjects;
 pub use chosen::Chosen;
 pub use exhaustive::Exhaustive;
 pub use grid::UniformGrid;
-pub use hierarchy::{DepthFirst, HeapOrdered};
+pub use heap::HeapOrdered;
+pub use hierarchy::DepthFirst;
 pub use nearest::{AnyHit, Hit, NearestSoFar, Search};
 pub use object_test::test_primitive;
 pub use z_aligned::ZAligned;
+
+use std::ops::ControlFlow;
 
 use crate::geometry::{Ray, TRange};
 use crate::trace::Recorder;
@@ -34,8 +42,13 @@ use crate::trace::Recorder;
 /// two hits within 10⁻¹² of t of each other either may be the nearest. [`ZAligned`] computes in another frame: it
 /// finds the same object, at a t within 10⁻⁹ of it.
 pub trait Strategy: Sync {
-    /// Offers every hit that can matter to the search, until that has enough.
-    fn search<R: Recorder>(&self, ray: &Ray, search: &mut impl Search, recorder: &mut R);
+    /// Offers every hit that can matter to the search, until that has enough: then `Break`.
+    fn search<R: Recorder>(
+        &self,
+        ray: &Ray,
+        search: &mut impl Search,
+        recorder: &mut R,
+    ) -> ControlFlow<()>;
 
     /// Notes how the structure was built; nothing if there is none.
     fn note_building<R: Recorder>(&self, recorder: &mut R) {
@@ -51,7 +64,7 @@ pub trait Strategy: Sync {
     #[inline]
     fn nearest<R: Recorder>(&self, ray: &Ray, range: TRange, recorder: &mut R) -> Option<Hit> {
         let mut nearest = NearestSoFar::new(range);
-        self.search(ray, &mut nearest, recorder);
+        let _ = self.search(ray, &mut nearest, recorder);
         nearest.hit()
     }
 
@@ -59,7 +72,7 @@ pub trait Strategy: Sync {
     #[inline]
     fn any<R: Recorder>(&self, ray: &Ray, range: TRange, recorder: &mut R) -> Option<Hit> {
         let mut any = AnyHit::new(range);
-        self.search(ray, &mut any, recorder);
+        let _ = self.search(ray, &mut any, recorder);
         any.hit()
     }
 }

@@ -1,6 +1,6 @@
 //! One ray against one object: the test of its shape, and the line that records it.
 
-use crate::geometry::{Ray, Sides, Sphere, TRange};
+use crate::geometry::{Ray, TRange};
 use crate::scene::{Primitive, PrimitiveId, Shape};
 use crate::trace::{Event, Recorder};
 
@@ -15,7 +15,11 @@ pub fn test_primitive<R: Recorder>(
 ) -> Option<f64> {
     let sides = primitive.sides;
     match &primitive.shape {
-        Shape::Sphere(sphere) => test_sphere(object, sphere, sides, ray, range, recorder),
+        Shape::Sphere(sphere) => {
+            let test = sphere.test(ray, range, sides);
+            recorder.note(|| Event::SphereTest { object, test });
+            test.roots.chosen()
+        }
         Shape::Ellipsoid(ellipsoid) => {
             let test = ellipsoid.test(ray, range, sides);
             recorder.note(|| Event::EllipsoidTest { object, test });
@@ -50,22 +54,4 @@ pub fn test_primitive<R: Recorder>(
             test.inside.then_some(t)
         }
     }
-}
-
-/// Where does the ray meet the sphere, if it does so in the range?
-pub(super) fn test_sphere<R: Recorder>(
-    object: PrimitiveId,
-    sphere: &Sphere,
-    sides: Sides,
-    ray: &Ray,
-    range: TRange,
-    recorder: &mut R,
-) -> Option<f64> {
-    if !R::ENABLED {
-        // nobody follows: where it is hit is all that is asked
-        return sphere.hit(ray, range, sides);
-    }
-    let test = sphere.test(ray, range, sides);
-    recorder.note(|| Event::SphereTest { object, test });
-    test.roots.chosen()
 }

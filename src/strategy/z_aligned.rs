@@ -4,12 +4,13 @@
 //! intersection calculation and allows the closest object to be determined by a z sort". Each test is
 //! simpler, but every object has to be transformed for every ray, and none is left out.
 
-use glam::DVec3;
+use std::ops::ControlFlow;
 
-use crate::geometry::{AlignedRay, Alignment, Ray, TRange};
+use crate::geometry::{AlignedRay, Ray, TRange};
 use crate::scene::{Primitive, PrimitiveId, Scene, Shape};
+use crate::strategy::transformed::note_transformed;
 use crate::strategy::{Hit, Search, Strategy};
-use crate::trace::{Aligned, AlignedPart, Event, Recorder, ZSort};
+use crate::trace::{Event, Recorder, ZSort};
 
 /// Transforms every object into the frame of the ray, tests it there, and sorts the hits by z.
 ///
@@ -30,45 +31,36 @@ impl<'a> ZAligned<'a> {
 }
 
 impl Strategy for ZAligned<'_> {
-    #[inline]
-    fn search<R: Recorder>(&self, ray: &Ray, search: &mut impl Search, recorder: &mut R) {
+    fn search<R: Recorder>(
+        &self,
+        ray: &Ray,
+        search: &mut impl Search,
+        recorder: &mut R,
+    ) -> ControlFlow<()> {
         let ray = AlignedRay::new(ray);
         recorder.note(|| Event::Align(ray.frame));
-        // unseen, no list is kept: the nearest so far is what the sort would bring to the front
-        let sorts = R::ENABLED && !search.ends_at_first();
         let mut hits = Vec::new();
         for (object, primitive) in (0..).map(PrimitiveId).zip(&self.scene.primitives) {
             let Some(t) = test_aligned(object, primitive, &ray, search.range(), recorder) else {
                 continue;
             };
-            if sorts {
+            if search.ends_at_first() {
+                search.offer(object, t, recorder)?;
+            } else {
                 hits.push(Hit { object, t });
-            } else if search.offer(object, t, recorder).is_break() {
-                return;
             }
         }
-        if sorts {
-            z_sort(hits, &ray, search, recorder);
+        // a stable sort: hits at equal z stay in the order of the scene
+        hits.sort_by(|a, b| a.t.total_cmp(&b.t));
+        for (place, hit) in (0..).zip(&hits) {
+            let (object, z) = (hit.object, hit.t * ray.length);
+            recorder.note(|| Event::ZSort(ZSort { place, object, z }));
         }
-    }
-}
-
-/// Sorts the hits by z and offers the first.
-fn z_sort<R: Recorder>(
-    mut hits: Vec<Hit>,
-    ray: &AlignedRay,
-    search: &mut impl Search,
-    recorder: &mut R,
-) {
-    // a stable sort: hits at equal z stay in the order of the scene
-    hits.sort_by(|a, b| a.t.total_cmp(&b.t));
-    for (place, hit) in (0..).zip(&hits) {
-        let (object, z) = (hit.object, hit.t * ray.length);
-        recorder.note(|| Event::ZSort(ZSort { place, object, z }));
-    }
-    if let Some(first) = hits.first() {
-        // whether a further one could matter is of no interest: they are all behind it
-        let _ = search.offer(first.object, first.t, recorder);
+        match hits.first() {
+            // all others are behind it
+            Some(nearest) => search.offer(nearest.object, nearest.t, recorder),
+            None => ControlFlow::Continue(()),
+        }
     }
 }
 
@@ -125,61 +117,4 @@ fn test_aligned<R: Recorder>(
             test.inside.then_some(t)
         }
     }
-}
-
-/// Notes the points and half axes of an object, before and after.
-fn note_transformed<R: Recorder>(
-    object: PrimitiveId,
-    shape: &Shape,
-    frame: &Alignment,
-    recorder: &mut R,
-) {
-    let mut note = |part, index, from| {
-        recorder.note(|| {
-            let to = match part {
-                AlignedPart::HalfAxis => frame.vector(from),
-                _ => frame.point(from),
-            };
-            Event::Aligned(Aligned {
-                object,
-                part,
-                index,
-                from,
-                to,
-            })
-        });
-    };
-    match shape {
-        Shape::Sphere(sphere) => note(AlignedPart::Center, 0, sphere.center),
-        Shape::Ellipsoid(ellipsoid) => {
-            note(AlignedPart::Center, 0, ellipsoid.center);
-            for (index, axis) in (0..).zip(half_axes(ellipsoid.radii)) {
-                note(AlignedPart::HalfAxis, index, axis);
-            }
-        }
-        Shape::Box(solid) => {
-            note(AlignedPart::Center, 0, 0.5 * (solid.min + solid.max));
-            for (index, axis) in (0..).zip(half_axes(0.5 * (solid.max - solid.min))) {
-                note(AlignedPart::HalfAxis, index, axis);
-            }
-        }
-        Shape::Cone(cone) => {
-            note(AlignedPart::Base, 0, cone.base());
-            note(AlignedPart::Apex, 0, cone.apex());
-        }
-        Shape::Polygon(polygon) => {
-            for (index, vertex) in (0..).zip(polygon.vertices()) {
-                note(AlignedPart::Vertex, index, vertex);
-            }
-        }
-    }
-}
-
-/// The half axes of an ellipsoid or a box, as vectors.
-fn half_axes(radii: DVec3) -> [DVec3; 3] {
-    [
-        DVec3::new(radii.x, 0.0, 0.0),
-        DVec3::new(0.0, radii.y, 0.0),
-        DVec3::new(0.0, 0.0, radii.z),
-    ]
 }

@@ -2,8 +2,6 @@
 
 use glam::DVec3;
 
-use crate::structure::one_way::OneWay;
-
 /// A box cut into equal cells by planes across x, y and z.
 ///
 /// The f64 values of the planes *are* the grid: whatever is decided about a cell is decided by them.
@@ -22,8 +20,6 @@ struct CellsAlong {
     stride: usize,
     /// The planes across the axis, rising.
     planes: Vec<f64>,
-    /// The same for rays that go up, and for those that go down.
-    ways: [OneWay; 2],
 }
 
 impl CellPlanes {
@@ -41,7 +37,6 @@ impl CellPlanes {
             let along = CellsAlong {
                 count: n,
                 stride,
-                ways: [OneWay::up(&planes, stride), OneWay::down(&planes, stride)],
                 planes,
             };
             stride *= n as usize;
@@ -63,11 +58,9 @@ impl CellPlanes {
         self.axes.each_ref().map(|along| along.count)
     }
 
-    /// The way of a ray along each axis.
-    #[inline]
-    pub(crate) fn ways(&self, direction: DVec3) -> [&OneWay; 3] {
-        let [x, y, z] = &self.axes;
-        [x.way(direction.x), y.way(direction.y), z.way(direction.z)]
+    /// By how much a cell's number grows from one cell to the next along x, y and z.
+    pub(crate) fn strides(&self) -> [usize; 3] {
+        self.axes.each_ref().map(|along| along.stride)
     }
 
     /// The planes across an axis, rising; none if there are no cells.
@@ -88,11 +81,8 @@ impl CellPlanes {
 
     /// How much memory the planes take, in bytes.
     pub(crate) fn bytes(&self) -> usize {
-        let of = |along: &CellsAlong| {
-            let ways = along.ways.each_ref().map(OneWay::bytes);
-            size_of_val(along.planes.as_slice()) + ways.iter().sum::<usize>()
-        };
-        self.axes.iter().map(of).sum()
+        let planes = self.axes.iter().map(|along| along.planes.as_slice());
+        planes.map(size_of_val).sum()
     }
 
     /// The number of cell (i, j, k): i + nx·(j + ny·k).
@@ -113,16 +103,19 @@ impl CellPlanes {
     #[inline]
     pub(crate) fn touched(&self, axis: usize, [low, high]: [f64; 2]) -> [u32; 2] {
         let planes = self.axis(axis);
-        let [up, _] = &self.axes[axis].ways;
         let last_cell = planes.len() - 2;
-        let mut first = up.near(low);
+        let (from, to) = (planes[0], planes[last_cell + 1]);
+        let per_unit = (last_cell + 1) as f64 / (to - from);
+        // a conversion to whole numbers cuts off what does not fit
+        let near = |x: f64| (((x - from) * per_unit) as usize).min(last_cell);
+        let mut first = near(low);
         while 0 < first && low <= planes[first] {
             first -= 1;
         }
         while first < last_cell && planes[first + 1] < low {
             first += 1;
         }
-        let mut last = up.near(high).max(first);
+        let mut last = near(high).max(first);
         while first < last && high < planes[last] {
             last -= 1;
         }
@@ -130,14 +123,6 @@ impl CellPlanes {
             last += 1;
         }
         [first as u32, last as u32]
-    }
-}
-
-impl CellsAlong {
-    /// The way of a ray that goes up, or down; a zero of either sign counts as its sign says.
-    #[inline]
-    fn way(&self, direction: f64) -> &OneWay {
-        &self.ways[usize::from(direction.is_sign_negative())]
     }
 }
 

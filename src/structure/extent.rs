@@ -4,14 +4,13 @@ use glam::DVec3;
 
 use crate::scene::Shape;
 
-/// What is added to every extent on either side, as a share of the shape's own coordinates.
+/// The room that a widened extent has on either side, as a share of the shape's own coordinates.
 ///
 /// A computed hit lies off the exact surface by some 10⁻¹⁵ of the numbers that it was computed from, a
 /// hundredfold where the ray meets the surface flatly. With 10⁻¹⁰ no bound cuts a hit off.
 pub(super) const ROUNDING: f64 = 1e-10;
 
-/// The smallest and the largest n·p over the points p of the shape, widened by 10⁻¹⁰ of its
-/// coordinates.
+/// The smallest and the largest n·p over the points p of the shape.
 ///
 /// n is of unit length. A slab's planes are n·p + D = 0, so D_min = −largest and D_max = −smallest
 /// (erratum 5).
@@ -20,10 +19,9 @@ pub(super) const ROUNDING: f64 = 1e-10;
 /// - ellipsoid: n·c ± |(n_x·r_x, n_y·r_y, n_z·r_z)|
 /// - box: n·(center) ± Σ |nᵢ|·half sideᵢ
 /// - cone: over its two rims, n·rim ± r·|n × axis|
-/// - polygon: over its vertices
+/// - polygon: over its vertices, and as thick as a bent one is ([`thickness`])
 pub fn extent(shape: &Shape, n: DVec3) -> [f64; 2] {
-    let around = |middle: f64, half: f64| [middle - half, middle + half];
-    let [smallest, largest] = match shape {
+    match shape {
         Shape::Sphere(sphere) => around(n.dot(sphere.center), sphere.radius),
         Shape::Ellipsoid(ellipsoid) => {
             around(n.dot(ellipsoid.center), (n * ellipsoid.radii).length())
@@ -41,33 +39,69 @@ pub fn extent(shape: &Shape, n: DVec3) -> [f64; 2] {
                 around(n.dot(cone.apex()), apex * slant),
             )
         }
-        Shape::Polygon(polygon) => polygon
-            .vertices()
-            .map(|vertex| around(n.dot(vertex), polygon.play()))
-            .fold([f64::INFINITY, f64::NEG_INFINITY], union),
+        Shape::Polygon(polygon) => {
+            let thickness = thickness(shape);
+            polygon
+                .vertices()
+                .map(|vertex| around(n.dot(vertex), thickness))
+                .fold([f64::INFINITY, f64::NEG_INFINITY], union)
+        }
+    }
+}
+
+/// How far a hit may lie off the extent of a shape's own points: 0, but for a polygon whose vertices are off their
+/// plane by more than rounding.
+pub(super) fn thickness(shape: &Shape) -> f64 {
+    match shape {
+        // what is less belongs to the room for rounding, of which it is a small part
+        Shape::Polygon(polygon) if ROUNDING * shape.reach() < polygon.play() => polygon.play(),
+        _ => 0.0,
+    }
+}
+
+/// [`extent`] with room for rounding: 10⁻¹⁰ of the shape's coordinates, and a polygon's play.
+pub(super) fn widened_extent(shape: &Shape, n: DVec3) -> [f64; 2] {
+    let play = match shape {
+        Shape::Polygon(polygon) => polygon.play() - thickness(shape),
+        _ => 0.0,
     };
+    let [smallest, largest] = extent(shape, n);
     let rounding = ROUNDING * shape.reach();
-    [smallest - rounding, largest + rounding]
+    [smallest - play - rounding, largest + play + rounding]
+}
+
+/// [`box_around`] with the room of [`widened_extent`].
+pub(super) fn widened_box(shape: &Shape) -> [DVec3; 2] {
+    let play = match shape {
+        Shape::Polygon(polygon) => polygon.play() - thickness(shape),
+        _ => 0.0,
+    };
+    let [smallest, largest] = box_around(shape);
+    let rounding = ROUNDING * shape.reach();
+    [smallest - play - rounding, largest + play + rounding]
 }
 
 /// [`extent`] along x, y and z at one go: the smallest and the largest corner of the box around a shape.
 pub(super) fn box_around(shape: &Shape) -> [DVec3; 2] {
-    let [smallest, largest] = match shape {
+    match shape {
         Shape::Sphere(sphere) => [sphere.center - sphere.radius, sphere.center + sphere.radius],
         Shape::Polygon(polygon) => {
             let (low, high) = polygon.vertices().fold(
                 (DVec3::INFINITY, DVec3::NEG_INFINITY),
                 |(low, high), vertex| (low.min(vertex), high.max(vertex)),
             );
-            [low - polygon.play(), high + polygon.play()]
+            let thickness = thickness(shape);
+            [low - thickness, high + thickness]
         }
         Shape::Ellipsoid(_) | Shape::Box(_) | Shape::Cone(_) => {
             let [x, y, z] = DVec3::AXES.map(|axis| extent(shape, axis));
-            return [0, 1].map(|end| DVec3::new(x[end], y[end], z[end]));
+            [0, 1].map(|end| DVec3::new(x[end], y[end], z[end]))
         }
-    };
-    let rounding = ROUNDING * shape.reach();
-    [smallest - rounding, largest + rounding]
+    }
+}
+
+fn around(middle: f64, half: f64) -> [f64; 2] {
+    [middle - half, middle + half]
 }
 
 fn union(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
@@ -82,14 +116,19 @@ mod tests {
     #[track_caller]
     fn check(shape: &Shape, n: [f64; 3], expected: [f64; 2]) {
         let found = extent(shape, DVec3::from(n));
-        let off = (found[0] - expected[0])
-            .abs()
-            .max((found[1] - expected[1]).abs());
-        assert!(off <= 1e-8, "{found:?}, expected {expected:?}");
-        assert!(
-            found[0] < expected[0] && expected[1] < found[1],
-            "{found:?}"
-        );
+        let off = |found: f64, expected: f64| (found - expected).abs();
+        for (found, expected) in found.into_iter().zip(expected) {
+            // a few roundings
+            assert!(
+                off(found, expected) <= 1e-14,
+                "{found}, expected {expected}"
+            );
+        }
+        let wider = widened_extent(shape, DVec3::from(n));
+        assert!(wider[0] < expected[0] && expected[1] < wider[1]);
+        for (wider, expected) in wider.into_iter().zip(expected) {
+            assert!(off(wider, expected) <= 1e-8, "{wider}, expected {expected}");
+        }
     }
 
     const DIAGONAL: [f64; 3] = [0.6, 0.8, 0.0];
@@ -151,5 +190,20 @@ mod tests {
         let corners = [[0.0, 0.0, 0.0], [5.0, 0.0, 0.0], [0.0, 5.0, 0.0]].map(DVec3::from);
         let triangle = Polygon::new(corners.to_vec(), None).unwrap();
         check(&Shape::Polygon(triangle), DIAGONAL, [0.0, 4.0]);
+    }
+
+    #[test]
+    fn a_bent_polygon_is_as_thick_as_its_hits_may_lie_off_its_vertices() {
+        let corners = [
+            [0.0, 0.0, 0.0],
+            [1.0, 0.0, 0.0],
+            [1.0, 1.0, 4e-6],
+            [0.0, 1.0, 0.0],
+        ];
+        let bent = Polygon::new(corners.map(DVec3::from).to_vec(), None).unwrap();
+        // each vertex is 10⁻⁶ off the plane, and a ray that meets it under 1 in 64 finds it 64·10⁻⁶ away
+        let [low, high] = extent(&Shape::Polygon(bent), DVec3::Z);
+        assert!((low + 64e-6).abs() <= 1e-11, "{low}");
+        assert!((high - 68e-6).abs() <= 1e-11, "{high}");
     }
 }

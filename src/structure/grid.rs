@@ -17,8 +17,9 @@ use crate::scene::{Primitive, PrimitiveId, Scene, Shape};
 use crate::structure::cell_lists::CellLists;
 use crate::structure::cell_overlap::CellOverlap;
 use crate::structure::cell_planes::CellPlanes;
+use crate::structure::extent::widened_extent;
 use crate::structure::grid_resolution::resolution;
-use crate::structure::{GridError, GridWalk, extent};
+use crate::structure::{GridError, GridWalk};
 
 /// By what an object is put into a cell's list.
 #[derive(
@@ -191,6 +192,12 @@ impl Grid {
         self.lists.of(self.cells.number(cell))
     }
 
+    /// The planes between the cells.
+    #[inline]
+    pub(crate) fn cells(&self) -> &CellPlanes {
+        &self.cells
+    }
+
     /// The lists of all cells.
     #[inline]
     pub(crate) fn lists(&self) -> &CellLists {
@@ -244,12 +251,12 @@ impl Grid {
 /// How far a shape reaches along each axis, widened.
 fn bounds_of(shape: &Shape, room: f64) -> Bounds {
     DVec3::AXES.map(|axis| {
-        let [low, high] = extent(shape, axis);
+        let [low, high] = widened_extent(shape, axis);
         [low - room, high + room]
     })
 }
 
-/// What every object is widened by, besides [`extent`]'s share of its own size: a share of the largest coordinate
+/// What every object is widened by, besides [`widened_extent`]'s share of its own size: a share of the largest coordinate
 /// of the scene and of the camera.
 ///
 /// A ray starts at the camera or in the scene, and the rounding of what it meets grows with the coordinates

@@ -13,246 +13,76 @@
 //! on the list of every cell around it.
 //!
 //! **Exactly.** t = (pᵢ − o)/Δ is computed from each plane itself, not added up from cell to cell, and which
-//! plane comes first is decided without rounding: by f64 where the difference is beyond their error, else by
-//! the sign of (p − o)·Δ′ − (p′ − o′)·Δ. A zero of either sign is no direction. The ray's coordinates may have
-//! any size that leaves their differences within f64.
-
-use glam::DVec3;
+//! plane comes first is decided without rounding ([`Meeting::before`]): by f64 where the difference is beyond their
+//! error, else by the sign of (p − o)·Δ′ − (p′ − o′)·Δ. A zero of either sign is no direction. The ray's coordinates
+//! may have any size that leaves their differences within f64.
 
 use crate::geometry::{Ray, TRange};
-use crate::structure::axis_walk::AxisWalk;
 use crate::structure::cell_planes::CellPlanes;
-use crate::structure::extremes::{larger, smaller};
-use crate::structure::grid_start::{Guess, Start, exact_start, guess};
-use crate::structure::one_way::OneWay;
-use crate::structure::ray_order::{Meeting, just_after};
+use crate::structure::grid_start::start;
+use crate::structure::ray_order::Meeting;
 use crate::structure::{Across, CellStep};
 
 /// A walk through a grid; an iterator over the cells that the ray pierces.
 #[derive(Clone, Debug)]
 pub struct GridWalk<'g> {
     cells: &'g CellPlanes,
-    axes: [AxisWalk<'g>; 3],
-    /// t of the next plane across each axis; infinite if the ray does not move along it, no number if 1/Δ is none.
-    next: [f64; 3],
-    /// t of the plane behind that one, at hand before it is asked for.
-    after: [f64; 3],
-    /// The number of the cell that comes next.
-    number: usize,
+    ray: Ray,
+    /// The cell that comes next.
+    cell: Option<[u32; 3]>,
     /// Where the ray enters it.
     t_in: f64,
     /// Where the range ends.
     max: f64,
-    done: bool,
-}
-
-/// How the ray leaves a cell.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Leaving {
-    /// Where.
-    pub(crate) t: f64,
-    /// Across which planes, by the bits of [`Across::BY_BITS`].
-    across: u8,
 }
 
 impl<'g> GridWalk<'g> {
     /// From the first cell that the ray pierces in its range.
-    #[inline]
-    pub(super) fn new(cells: &'g CellPlanes, ray: &Ray, range: TRange) -> Self {
-        let inverse = 1.0 / ray.direction;
-        if are_usable(inverse) {
-            let ways = cells.ways(ray.direction);
-            match guess(ways, ray, inverse, range) {
-                Guess::Cell(start) => {
-                    let (walk, entered) = Self::begun(cells, ways, ray, inverse, start, range.max);
-                    if walk.is_clearly_begun(entered) {
-                        return walk;
-                    }
-                }
-                Guess::PassesBy => return Self::nowhere(cells),
-                Guess::Unsure => {}
-            }
-        }
-        Self::begun_exactly(cells, ray, range)
-    }
-
-    /// From the first cell, every comparison without rounding. Nearly every ray is spared that.
-    #[cold]
-    #[inline(never)]
-    fn begun_exactly(cells: &'g CellPlanes, ray: &Ray, range: TRange) -> Self {
-        match exact_start(cells, ray, range) {
-            Some(start) => {
-                let inverse = ray.direction.map(usable_inverse);
-                let ways = cells.ways(ray.direction);
-                let (mut walk, _) = Self::begun(cells, ways, ray, inverse, start, range.max);
-                // what a ray that leaves no doubt is spared
-                for (next, direction) in walk.next.iter_mut().zip(ray.direction.to_array()) {
-                    *next = if direction == 0.0 {
-                        f64::INFINITY
-                    } else {
-                        not_before(start.t, *next)
-                    };
-                }
-                walk
-            }
-            None => Self::nowhere(cells),
-        }
-    }
-
-    /// Through no cell.
-    #[inline]
-    fn nowhere(cells: &'g CellPlanes) -> Self {
+    pub(crate) fn new(cells: &'g CellPlanes, ray: &Ray, range: TRange) -> Self {
+        let (cell, t_in) = start(cells, ray, range).unzip();
         Self {
             cells,
-            axes: [AxisWalk::default(); 3],
-            next: [f64::INFINITY; 3],
-            after: [f64::INFINITY; 3],
-            number: 0,
-            t_in: 0.0,
-            max: 0.0,
-            done: true,
+            ray: *ray,
+            cell,
+            t_in: t_in.unwrap_or(range.min),
+            max: range.max,
         }
-    }
-
-    /// From a cell, if the ray moves along all axes and its next planes lie behind `start.t`; and t of the planes behind
-    /// that cell.
-    #[inline]
-    fn begun(
-        cells: &'g CellPlanes,
-        ways: [&'g OneWay; 3],
-        ray: &Ray,
-        inverse: DVec3,
-        start: Start,
-        max: f64,
-    ) -> (Self, [f64; 3]) {
-        let (origin, direction) = (ray.origin, ray.direction);
-        let [of_x, of_y, of_z] = ways;
-        let [i, j, k] = start.cell;
-        let x = AxisWalk::new(of_x, i, origin.x, direction.x, inverse.x);
-        let y = AxisWalk::new(of_y, j, origin.y, direction.y, inverse.y);
-        let z = AxisWalk::new(of_z, k, origin.z, direction.z, inverse.z);
-        let [[x0, x1, x2], [y0, y1, y2], [z0, z1, z2]] =
-            [x.first_three(), y.first_three(), z.first_three()];
-        let walk = Self {
-            cells,
-            axes: [x, y, z],
-            next: [x1, y1, z1],
-            after: [x2, y2, z2],
-            number: of_x
-                .number(i)
-                .wrapping_add(of_y.number(j))
-                .wrapping_add(of_z.number(k)),
-            t_in: start.t,
-            max,
-            done: false,
-        };
-        (walk, [x0, y0, z0])
-    }
-
-    /// Is it beyond doubt that the ray is in the first cell by the t at which the walk begins, and leaves it later?
-    #[inline]
-    fn is_clearly_begun(&self, entered: [f64; 3]) -> bool {
-        let [x, y, z] = entered;
-        let entered = larger(larger(x, y), z);
-        let [x, y, z] = self.next;
-        let left = smaller(smaller(x, y), z);
-        just_after(entered) < self.t_in && just_after(self.t_in) < left
     }
 
     /// The cell that comes next.
     pub(crate) fn cell(&self) -> Option<[u32; 3]> {
-        (!self.done).then(|| self.cells.cell(self.number))
+        self.cell
     }
 
-    /// The next cell with all that is known of it before it is left.
-    pub(crate) fn entering(&self) -> Option<CellStep> {
-        let mut next = self.next;
-        for (axis, next) in next.iter_mut().enumerate() {
-            if next.is_nan() {
-                *next = self.axes[axis].meeting().t().max(self.t_in);
-            }
-        }
-        Some(CellStep {
-            cell: self.cell()?,
-            t_in: self.t_in,
-            next,
-            ..CellStep::default()
+    /// Where the ray meets the next plane across an axis, from a cell; `None` if it does not move along the axis.
+    fn meeting(&self, axis: usize, cell: [u32; 3]) -> Option<Meeting> {
+        let direction = self.ray.direction[axis];
+        let at = cell[axis] as usize;
+        let next = if direction < 0.0 { at } else { at + 1 };
+        (direction != 0.0).then(|| Meeting {
+            plane: self.cells.axis(axis)[next],
+            origin: self.ray.origin[axis],
+            direction,
         })
     }
 
-    /// The next cell's number, and how the ray leaves it.
-    #[inline]
-    pub(crate) fn step(&mut self) -> Option<(usize, Leaving)> {
-        if self.done {
-            return None;
-        }
-        let number = self.number;
-        let [x, y, z] = self.next;
-        // the choice is kept free of branches: which axis comes next cannot be foretold
-        let (of_two, other) = if y < x { (y, x) } else { (x, y) };
-        let (t, third) = if z < of_two { (z, of_two) } else { (of_two, z) };
-        let axis = if z < of_two { 2 } else { usize::from(y < x) };
-        let later = just_after(t);
-        let leaving = if later < other && later < third && later < self.max {
-            self.cross(axis, t);
-            Leaving {
-                t,
-                across: 1 << axis,
-            }
-        } else {
-            self.step_exactly()
-        };
-        self.t_in = leaving.t;
-        Some((number, leaving))
+    /// Does the range go on behind this plane?
+    fn goes_on(&self, plane: &Meeting) -> bool {
+        self.max == f64::INFINITY || plane.before(&Meeting::at(self.max))
     }
 
-    /// Crosses the next plane of an axis at t.
-    #[inline]
-    fn cross(&mut self, axis: usize, t: f64) {
-        let of = &mut self.axes[axis];
-        let Some(after) = of.cross() else {
-            self.done = true;
-            return;
-        };
-        self.number = of.next_cell(self.number);
-        self.next[axis] = not_before(t, self.after[axis]);
-        self.after[axis] = after;
-    }
-
-    /// The step where two planes are about equally near, or where the range ends about here.
-    #[cold]
-    fn step_exactly(&mut self) -> Leaving {
-        let meetings = [0, 1, 2].map(|axis| self.axes[axis].meeting());
-        let moving = [0, 1, 2].map(|axis: usize| meetings[axis].direction != 0.0);
-        let is_first = |axis: &usize| {
-            let before = |other: usize| moving[other] && meetings[other].before(&meetings[*axis]);
-            moving[*axis] && !(0..3).any(before)
-        };
-        let across: u8 = (0..3).filter(is_first).map(|axis| 1 << axis).sum();
-        let is_crossed = |axis: usize| across & (1 << axis) != 0;
-
-        let t_of = |axis: usize| match self.next[axis] {
-            next if next.is_nan() => meetings[axis].t().max(self.t_in),
-            next => next,
-        };
-        let crossed = (0..3).filter(|&axis| is_crossed(axis));
-        let t = crossed.map(t_of).fold(f64::INFINITY, f64::min);
-        let leaves = (0..3).find(|&axis| is_crossed(axis));
-        let goes_on = leaves.is_some_and(|axis| {
-            self.max == f64::INFINITY || meetings[axis].before(&Meeting::at(self.max))
-        });
-        if !goes_on {
-            self.done = true;
-            return Leaving { t, across };
-        }
-        for axis in 0..3 {
-            if is_crossed(axis) {
-                self.cross(axis, t);
+    /// The cell behind the next planes of these axes; `None` if the grid ends there.
+    fn cell_behind(&self, cell: [u32; 3], is_crossed: [bool; 3]) -> Option<[u32; 3]> {
+        let mut behind = cell;
+        for axis in (0..3).filter(|&axis| is_crossed[axis]) {
+            behind[axis] = if self.ray.direction[axis] < 0.0 {
+                cell[axis].checked_sub(1)?
             } else {
-                self.next[axis] = not_before(t, self.next[axis]);
-            }
+                let above = cell[axis] + 1;
+                (above < self.cells.resolution()[axis]).then_some(above)?
+            };
         }
-        Leaving { t, across }
+        Some(behind)
     }
 }
 
@@ -260,47 +90,32 @@ impl Iterator for GridWalk<'_> {
     type Item = CellStep;
 
     fn next(&mut self) -> Option<CellStep> {
-        let entering = self.entering()?;
-        let (_, leaving) = self.step()?;
-        Some(leaving.completes(entering))
-    }
-}
-
-impl Leaving {
-    /// The whole step, from what was known of it before.
-    pub(crate) fn completes(self, entering: CellStep) -> CellStep {
-        CellStep {
-            t_out: self.t,
-            across: Across::BY_BITS[usize::from(self.across)],
-            ..entering
-        }
-    }
-}
-
-/// Holds t to the order of the planes, where rounding has turned it round; what is no number stays none.
-#[inline]
-fn not_before(t: f64, next: f64) -> f64 {
-    if next < t { t } else { next }
-}
-
-/// Does f64 hold each 1/Δ with all its digits?
-#[inline]
-fn are_usable(inverse: DVec3) -> bool {
-    let size = inverse.abs();
-    let least = smaller(smaller(size.x, size.y), size.z);
-    // the sum is beyond f64, or no number, if one of them is
-    f64::MIN_POSITIVE <= least && size.element_sum() < f64::INFINITY
-}
-
-/// 1/Δ; no number where it is none that f64 holds with all its digits: then no t of it is ever certain, and
-/// each is taken exactly.
-#[inline]
-fn usable_inverse(direction: f64) -> f64 {
-    let inverse = 1.0 / direction;
-    if inverse.is_normal() {
-        inverse
-    } else {
-        f64::NAN
+        let cell = self.cell?;
+        let meetings = [0, 1, 2].map(|axis| self.meeting(axis, cell));
+        // the ray leaves across the plane that no other comes before: at an edge or a corner across two or three
+        let is_first = |plane: &Meeting| {
+            let others = meetings.iter().flatten();
+            others.into_iter().all(|other| !other.before(plane))
+        };
+        let is_crossed = meetings.map(|plane| plane.is_some_and(|plane| is_first(&plane)));
+        // rounding may not turn the order round
+        let t_of = |plane: Meeting| plane.t().max(self.t_in);
+        let next = meetings.map(|plane| plane.map_or(f64::INFINITY, t_of));
+        let crossed = || (0..3).filter(|&axis| is_crossed[axis]);
+        let step = CellStep {
+            cell,
+            t_in: self.t_in,
+            t_out: crossed()
+                .map(|axis| next[axis])
+                .fold(f64::INFINITY, f64::min),
+            next,
+            across: Across::BY_BITS[crossed().map(|axis| 1 << axis).sum::<usize>()],
+        };
+        let first = meetings.into_iter().flatten().find(is_first);
+        let goes_on = first.is_some_and(|plane| self.goes_on(&plane));
+        self.cell = self.cell_behind(cell, is_crossed).filter(|_| goes_on);
+        self.t_in = step.t_out;
+        Some(step)
     }
 }
 

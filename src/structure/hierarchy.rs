@@ -10,7 +10,7 @@ use serde::{Deserialize, Serialize};
 use crate::geometry::Ray;
 use crate::scene::{PrimitiveId, Scene};
 use crate::structure::build::{bottom_up, insertion, surface_area};
-use crate::structure::{RaySlabs, SlabBound, SlabSet};
+use crate::structure::{RaySlabs, SlabBound, SlabSet, room};
 
 /// How a hierarchy is built. All give the same hits at another cost.
 #[derive(
@@ -157,10 +157,15 @@ impl<const N: usize> Hierarchy<N> {
         &self.set
     }
 
-    /// S and T of a ray for the slabs of all nodes.
+    /// The room for rounding that all bounds have around a ray.
     #[inline]
+    pub fn room(&self, ray: &Ray) -> f64 {
+        room(ray, self.reach)
+    }
+
+    /// S and T of a ray for the slabs of all nodes.
     pub fn ray_slabs(&self, ray: &Ray) -> RaySlabs<N> {
-        RaySlabs::new(ray, &self.set, self.reach)
+        RaySlabs::new(ray, &self.set, self.room(ray))
     }
 
     /// The nodes, the root first; a scene without objects has none.

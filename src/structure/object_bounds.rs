@@ -1,14 +1,14 @@
 //! The volume around an object of each kind: closed forms for what is round or square, and for polygons and
 //! meshes the smallest sphere and the ellipsoid of least volume around their vertices.
 //!
-//! Each is widened so that no hit is cut off that the object's own test finds: by the rounding of a hit, as
-//! [`extent`](crate::structure::extent) is, and by the play of bent polygons.
+//! Each is that of the object itself, and as thick as bent polygons are: the room for rounding comes with the ray
+//! ([`VolumeRay`](crate::structure::VolumeRay)).
 
 use glam::DVec3;
 
 use crate::geometry::{AxisBox, Cone, Ellipsoid, OrientedEllipsoid, Sphere};
 use crate::scene::{Primitive, Shape};
-use crate::structure::extent::ROUNDING;
+use crate::structure::extent::thickness;
 use crate::structure::least_ellipsoid::{LeastEllipsoid, least_ellipsoid};
 use crate::structure::smallest_sphere::smallest_sphere;
 use crate::structure::{SlabBound, SlabSet};
@@ -19,8 +19,8 @@ use crate::structure::{SlabBound, SlabSet};
 /// lets one in a thousand more rays in; much thinner, and rounding would count in the test.
 pub(super) const THICKNESS: f64 = 1e-3;
 
-/// No half axis is shorter than so many times what it must give way to rounding and play; the rest grows by
-/// a sixteenth at most to make room for that.
+/// No half axis is shorter than so many times the thickness of bent polygons; the rest grows by a sixteenth at most
+/// to make room for that.
 const ROOM: f64 = 16.0;
 
 /// The smallest sphere around an object; `None` around a mesh without faces.
@@ -42,7 +42,7 @@ pub(super) fn sphere_around(primitives: &[Primitive]) -> Option<Sphere> {
         faces => smallest_sphere(&vertices(faces))?,
     };
     Some(Sphere {
-        radius: smallest.radius + room(primitives),
+        radius: smallest.radius + thickest(primitives),
         ..smallest
     })
 }
@@ -82,7 +82,7 @@ pub(super) fn ellipsoid_around(primitives: &[Primitive]) -> Option<OrientedEllip
         },
         faces => of_points(&vertices(faces), false)?,
     };
-    Some(with_room(least, room(primitives)))
+    Some(with_room(least, thickest(primitives)))
 }
 
 /// The intersection of slabs around an object; around a mesh without faces the bound of nothing.
@@ -151,15 +151,9 @@ fn vertices(faces: &[Primitive]) -> Vec<DVec3> {
         .collect()
 }
 
-/// How far off the object a computed hit may lie.
-fn room(primitives: &[Primitive]) -> f64 {
-    let of = |primitive: &Primitive| {
-        let play = match &primitive.shape {
-            Shape::Polygon(polygon) => polygon.play(),
-            _ => 0.0,
-        };
-        play + ROUNDING * primitive.shape.reach()
-    };
+/// How far hits may lie off the extent of the vertices of bent polygons; 0 without such.
+fn thickest(primitives: &[Primitive]) -> f64 {
+    let of = |primitive: &Primitive| thickness(&primitive.shape);
     primitives.iter().map(of).fold(0.0, f64::max)
 }
 

@@ -8,19 +8,19 @@ use crate::geometry::sign_of_sum;
 ///
 /// A plain t is the meeting of a ray from 0 along 1 with that plane.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Meeting {
+pub(crate) struct Meeting {
     /// The plane's coordinate.
-    pub(super) plane: f64,
+    pub(crate) plane: f64,
     /// The origin's coordinate along the same axis.
-    pub(super) origin: f64,
+    pub(crate) origin: f64,
     /// Δ along it, not 0.
-    pub(super) direction: f64,
+    pub(crate) direction: f64,
 }
 
 impl Meeting {
     /// The t itself.
     #[inline]
-    pub(super) fn at(t: f64) -> Self {
+    pub(crate) fn at(t: f64) -> Self {
         Self {
             plane: t,
             origin: 0.0,
@@ -30,13 +30,13 @@ impl Meeting {
 
     /// t, rounded twice.
     #[inline]
-    pub(super) fn t(&self) -> f64 {
+    pub(crate) fn t(&self) -> f64 {
         (self.plane - self.origin) / self.direction
     }
 
     /// Does this meeting come before the other, at the same t, or after it? Without rounding.
     #[inline]
-    pub(super) fn order(&self, other: &Self) -> Ordering {
+    pub(crate) fn order(&self, other: &Self) -> Ordering {
         let (t, other_t) = (self.t(), other.t());
         if clearly_before(t, other_t) {
             return Ordering::Less;
@@ -49,13 +49,13 @@ impl Meeting {
 
     /// Is this meeting before the other?
     #[inline]
-    pub(super) fn before(&self, other: &Self) -> bool {
+    pub(crate) fn before(&self, other: &Self) -> bool {
         self.order(other) == Ordering::Less
     }
 
     /// The sign of (p − o)·δ′ − (p′ − o′)·δ, turned where one of the directions is negative.
     #[cold]
-    pub(super) fn exact_order(&self, other: &Self) -> Ordering {
+    pub(crate) fn exact_order(&self, other: &Self) -> Ordering {
         let (own, others) = (self.direction, other.direction);
         let difference = sign_of_sum(&[
             [self.plane, others],
@@ -89,7 +89,7 @@ fn clearly_before(t: f64, other: f64) -> bool {
 ///
 /// A t below 0 by more than [`TINY`] is below 0 whatever its rounding was.
 #[inline]
-pub(super) fn just_after(t: f64) -> f64 {
+pub(crate) fn just_after(t: f64) -> f64 {
     t * (1.0 + MARGIN) + TINY
 }
 

@@ -5,12 +5,15 @@
 //! slab"; the ray is inside the bound from the maximum of the near values of t to the minimum of the far
 //! ones, both "updated as each of its slabs is processed, and the processing of the bound terminated if the
 //! former ever exceeds the latter".
+//!
+//! **Room for rounding.** A bound must not cut off a hit that the object's own test finds, and that hit is rounded.
+//! So every slab is tested a little wider than it is: either plane is moved outwards by the [`room`](crate::structure::room) of the ray. A
+//! bound is kept as the objects have it, without room.
 
-use crate::geometry::{PARALLEL, Ray, SlabInterval, SlabRay, TRange};
 use crate::scene::Shape;
 use crate::structure::extent::box_around;
 use crate::structure::extremes::{larger, smaller};
-use crate::structure::{SlabSet, extent};
+use crate::structure::{Inside, RaySlabs, SlabSet, SlabStep, extent};
 
 /// D_min and D_max of each slab. A, B and C are those of the structure's [`SlabSet`].
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -21,107 +24,8 @@ pub struct SlabBound<const N: usize> {
     pub d_max: [f64; N],
 }
 
-/// What became of a bound at one of its slabs?
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum SlabOutcome {
-    /// Near and far have not crossed: the next slab is looked at.
-    #[default]
-    GoesOn,
-    /// The largest near is above the smallest far: the ray misses the bound.
-    Null,
-    /// The ray is parallel to the slab and inside it.
-    ParallelInside,
-    /// The ray is parallel to the slab and outside of it: it misses the bound.
-    ParallelOutside,
-}
-
-/// One slab of a bound against a ray.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct SlabStep {
-    /// Which direction of the set, from 0.
-    pub slab: u32,
-    /// D of the plane that is furthest along the normal.
-    pub d_min: f64,
-    /// D of the plane that is furthest back.
-    pub d_max: f64,
-    /// The near and the far t of this slab.
-    pub interval: SlabInterval,
-    /// The largest near of the slabs up to this one; −∞ if the ray is parallel to all of them.
-    pub max_near: f64,
-    /// The smallest far of the slabs up to this one; ∞ if the ray is parallel to all of them.
-    pub min_far: f64,
-    /// Whether the next slab is looked at.
-    pub outcome: SlabOutcome,
-}
-
-/// Where a ray is inside a bound: from the largest near to the smallest far; nowhere if these have crossed.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Inside {
-    /// The largest of the near values.
-    pub near: f64,
-    /// The smallest of the far values.
-    pub far: f64,
-}
-
-impl Inside {
-    /// Is any of it in the range? Equality counts.
-    #[inline]
-    pub fn meets(&self, range: TRange) -> bool {
-        self.begins(range) <= smaller(self.far, range.max)
-    }
-
-    /// Where the ray comes into it: not before its own range begins.
-    #[inline]
-    pub fn begins(&self, range: TRange) -> f64 {
-        larger(self.near, range.min)
-    }
-
-    /// Both ends, unless they have crossed.
-    pub fn ends(&self) -> Option<[f64; 2]> {
-        (self.near <= self.far).then_some([self.near, self.far])
-    }
-}
-
-/// S and T of a ray for each direction of a set: computed once for all bounds.
-///
-/// Every slab is met a little wider than it is, so that rounding cuts off no hit that an object's own test
-/// finds: S has room for either plane, 2·10⁻¹⁰ of the coordinates.
-#[derive(Clone, Copy, Debug)]
-pub struct RaySlabs<const N: usize> {
-    /// S, less the room: for the plane of D_min.
-    s_min: [f64; N],
-    /// S and the room: for the plane of D_max.
-    s_max: [f64; N],
-    /// T.
-    t_scale: [f64; N],
-}
-
-/// The room that a slab is given on either side, as a share of the coordinates of the ray's origin and of the
-/// bounds: a millionfold of ε, for a sphere's root is good to 10⁻¹⁰ of itself, and where a ray meets a
-/// surface flatly hits lie off the surface by a hundredfold of ε.
-pub(super) const ROOM: f64 = 2e-10;
-
-/// A t beyond this comes from a parallel slab: a scene's numbers end at 10⁵⁰, a parallel T begins at 10²⁰⁰.
-const FARTHEST: f64 = 1e120;
-
 /// So many slabs make a box.
 const BOX: usize = 3;
-
-impl<const N: usize> RaySlabs<N> {
-    /// S and T of the ray for each direction; `reach` is the largest coordinate of what the bounds are around.
-    #[inline]
-    pub fn new(ray: &Ray, set: &SlabSet<N>, reach: f64) -> Self {
-        let room = ROOM * (ray.origin.abs().element_sum() + reach);
-        let s = set.products(ray.origin);
-        let t_scale = set.products(ray.direction).map(|product| -1.0 / product);
-        Self {
-            s_min: s.map(|s| s - room),
-            s_max: s.map(|s| s + room),
-            // a parallel ray is far beyond every other slab, or before it
-            t_scale: t_scale.map(|t| smaller(larger(t, -PARALLEL), PARALLEL)),
-        }
-    }
-}
 
 impl<const N: usize> SlabBound<N> {
     /// Nothing: every D_min above every D_max.
@@ -130,7 +34,7 @@ impl<const N: usize> SlabBound<N> {
         d_max: [f64::NEG_INFINITY; N],
     };
 
-    /// The bound of a shape, widened for rounding.
+    /// The bound of a shape.
     pub fn of(shape: &Shape, set: &SlabSet<N>) -> Self {
         // a direction that the set does not have bounds nothing
         let mut bound = Self {
@@ -142,12 +46,15 @@ impl<const N: usize> SlabBound<N> {
             let [smallest, largest] = box_around(shape);
             first = BOX;
             for slab in 0..BOX {
-                (bound.d_min[slab], bound.d_max[slab]) = (-largest[slab], -smallest[slab]);
+                bound.d_min[slab] = 0.0 - largest[slab];
+                bound.d_max[slab] = 0.0 - smallest[slab];
             }
         }
         for (slab, &normal) in set.directions().iter().enumerate().skip(first) {
             let [smallest, largest] = extent(shape, normal);
-            (bound.d_min[slab], bound.d_max[slab]) = (-largest, -smallest);
+            // a difference, for −0 would have a sign in the log
+            bound.d_min[slab] = 0.0 - largest;
+            bound.d_max[slab] = 0.0 - smallest;
         }
         bound
     }
@@ -165,91 +72,49 @@ impl<const N: usize> SlabBound<N> {
         joined
     }
 
-    /// Where is the ray inside the bound?
+    /// Slab by slab: near and far t of each, the largest near and the smallest far up to it, and whether these have
+    /// crossed. The step at which the ray misses the bound is the last.
     ///
-    /// With t = (S + D)·T for both planes of a slab, the smaller is its near and the larger its far value;
-    /// near = max nearᵢ, far = min farᵢ. No division, and left as soon as they have crossed. A parallel ray
-    /// is inside its slab from some −10²⁰⁰ to 10²⁰⁰, or only beyond that. `tell` hears of each slab with the
-    /// largest near and the smallest far up to it, and says whether anybody listens: if not, it is asked once
-    /// only whether they have crossed, behind the third slab, since a jump costs more than a slab.
-    #[inline]
-    pub fn inside(
-        &self,
-        ray: &RaySlabs<N>,
-        mut tell: impl FnMut(usize, f64, f64) -> bool,
-    ) -> Inside {
-        let (mut near, mut far) = (f64::NEG_INFINITY, f64::INFINITY);
-        for slab in 0..N {
-            let at_min = (ray.s_min[slab] + self.d_min[slab]) * ray.t_scale[slab];
-            let at_max = (ray.s_max[slab] + self.d_max[slab]) * ray.t_scale[slab];
-            near = larger(near, smaller(at_min, at_max));
-            far = smaller(far, larger(at_min, at_max));
-            if tell(slab, near, far) {
-                if crossed(near, far) {
-                    far = f64::NEG_INFINITY;
-                    break;
-                }
-            } else if slab + 1 == BOX && far < near {
-                break;
-            }
-        }
-        Inside { near, far }
+    /// t = (S ∓ room + D)·T; near = max nearᵢ, far = min farᵢ.
+    pub fn steps<'a>(
+        &'a self,
+        ray: &'a RaySlabs<N>,
+        set: &'a SlabSet<N>,
+    ) -> impl Iterator<Item = SlabStep> + 'a {
+        let mut so_far = Some(Inside::EVERYWHERE);
+        let slabs = 0..set.directions().len();
+        slabs.map_while(move |slab| {
+            let step = self.step(slab, ray, so_far?);
+            so_far = step.inside();
+            Some(step)
+        })
     }
 
-    /// The working of one slab; `so_far` is the largest near and the smallest far of the slabs before it, and
-    /// `crossed` whether the bound is left here.
-    ///
-    /// The numbers are those of the slab itself, without the room of [`RaySlabs`].
-    pub fn step(
-        &self,
-        slab: usize,
-        ray: &Ray,
-        set: &SlabSet<N>,
-        so_far: [f64; 2],
-        crossed: bool,
-    ) -> SlabStep {
-        let line = SlabRay::new(ray, set.padded()[slab]);
-        let (d_min, d_max) = (self.d_min[slab], self.d_max[slab]);
-        let interval = line.interval(d_min, d_max);
-        let [mut max_near, mut min_far] = so_far;
-        if let SlabInterval::Between { near, far } = interval {
-            (max_near, min_far) = (larger(max_near, near), smaller(min_far, far));
-        }
-        let outcome = match interval {
-            SlabInterval::ParallelOutside if crossed => SlabOutcome::ParallelOutside,
-            _ if crossed => SlabOutcome::Null,
-            SlabInterval::ParallelInside | SlabInterval::ParallelOutside => {
-                SlabOutcome::ParallelInside
-            }
-            SlabInterval::Between { .. } => SlabOutcome::GoesOn,
-        };
-        SlabStep {
+    /// Where is the ray inside the bound? `None` if it misses it. The last of the [`SlabBound::steps`] says so.
+    pub fn inside(&self, ray: &RaySlabs<N>, set: &SlabSet<N>) -> Option<Inside> {
+        self.steps(ray, set).last()?.inside()
+    }
+
+    /// One slab, where the ray is inside the ones before from `so_far.near` to `so_far.far`.
+    fn step(&self, slab: usize, ray: &RaySlabs<N>, so_far: Inside) -> SlabStep {
+        let step = SlabStep {
             slab: slab as u32,
-            d_min,
-            d_max,
-            interval,
-            max_near,
-            min_far,
-            outcome,
-        }
+            d_min: self.d_min[slab],
+            d_max: self.d_max[slab],
+            room: ray.room,
+            ..SlabStep::default()
+        };
+        step.decided(&ray.lines[slab], so_far)
     }
 }
-
-/// Is nothing left between the largest near and the smallest far? Beyond a parallel slab there never is, which
-/// its neighbours would show a slab later.
-pub(crate) fn crossed(near: f64, far: f64) -> bool {
-    far < near || FARTHEST < near || far < -FARTHEST
-}
-
-/// Nothing is known of a ray before its first slab: every t.
-pub(crate) const NO_SLAB: [f64; 2] = [f64::NEG_INFINITY, f64::INFINITY];
 
 #[cfg(test)]
 mod tests {
-    use super::*;
     use glam::DVec3;
 
-    use crate::geometry::Sphere;
+    use super::*;
+    use crate::geometry::{Ray, SlabRay, Sphere};
+    use crate::structure::SlabOutcome;
 
     /// The unit sphere between the four directions of Fig. 15.58 and one across them.
     fn four_and_one() -> (SlabSet<16>, SlabBound<16>) {
@@ -269,57 +134,69 @@ mod tests {
         (set, SlabBound::of(&sphere, &set))
     }
 
-    #[track_caller]
-    fn inside(origin: [f64; 3], direction: [f64; 3]) -> Option<[f64; 2]> {
+    /// The steps of a ray through the bound, with this room.
+    fn steps(origin: [f64; 3], direction: [f64; 3], room: f64) -> Vec<SlabStep> {
         let (set, bound) = four_and_one();
-        let ray = Ray::new(origin.into(), direction.into());
-        let found = bound.inside(&RaySlabs::new(&ray, &set, 1.0), |_, _, _| true);
-        let ends = found.ends().filter(|_| found.meets(TRange::FORWARD));
-        ends.map(|ends| ends.map(|t| (t * 1e6).round() / 1e6))
+        let ray = RaySlabs::new(&Ray::new(origin.into(), direction.into()), &set, room);
+        bound.steps(&ray, &set).collect()
+    }
+
+    #[track_caller]
+    fn check(origin: [f64; 3], direction: [f64; 3], expected: Option<[f64; 2]>) {
+        let steps = steps(origin, direction, 0.0);
+        let found = steps.last().unwrap().inside();
+        let rounded = |ends: [f64; 2]| ends.map(|t| (t * 1e6).round() / 1e6);
+        assert_eq!(found.and_then(|found| found.ends()).map(rounded), expected);
+        assert!(expected.is_none() || steps.len() == 5);
     }
 
     #[test]
     fn a_ray_along_x_is_inside_from_the_near_plane_of_x_to_its_far_plane() {
-        assert_eq!(inside([-3.0, 0.0, 0.0], [1.0, 0.0, 0.0]), Some([2.0, 4.0]));
+        check([-3.0, 0.0, 0.0], [1.0, 0.0, 0.0], Some([2.0, 4.0]));
     }
 
     #[test]
     fn a_corner_of_the_box_is_cut_off_by_the_diagonal_slab() {
         // x + y ≤ √2 at the ray y = 0.9 along x: x from −1 … √2 − 0.9 = 0.514214
-        assert_eq!(
-            inside([-3.0, 0.9, 0.0], [1.0, 0.0, 0.0]),
-            Some([2.485_786, 3.514_214])
-        );
+        let expected = Some([2.485_786, 3.514_214]);
+        check([-3.0, 0.9, 0.0], [1.0, 0.0, 0.0], expected);
         // through (0.95, 0.95), which lies in the box alone
-        assert_eq!(inside([-0.05, 1.95, 0.0], [1.0, -1.0, 0.0]), None);
+        check([-0.05, 1.95, 0.0], [1.0, -1.0, 0.0], None);
     }
 
     #[test]
     fn a_parallel_ray_outside_is_refused_at_that_slab_in_either_direction() {
         for delta in [1.0, -1.0] {
-            assert_eq!(inside([0.0, 1.5, 0.0], [delta, 0.0, 0.0]), None);
-            assert_eq!(inside([0.0, 0.0, 1.5], [delta, -0.0, 0.0]), None);
+            check([0.0, 1.5, 0.0], [delta, 0.0, 0.0], None);
+            check([0.0, 0.0, 1.5], [delta, -0.0, 0.0], None);
         }
     }
 
     #[test]
     fn the_steps_of_a_missed_bound_end_where_near_and_far_cross() {
-        let (set, bound) = four_and_one();
-        let ray = Ray::new(DVec3::new(-0.05, 1.95, 0.0), DVec3::new(1.0, -1.0, 0.0));
-        let mut steps: Vec<SlabStep> = Vec::new();
-        bound.inside(&RaySlabs::new(&ray, &set, 1.0), |slab, near, far| {
-            let so_far = steps
-                .last()
-                .map_or(NO_SLAB, |step| [step.max_near, step.min_far]);
-            steps.push(bound.step(slab, &ray, &set, so_far, crossed(near, far)));
-            true
-        });
+        let steps = steps([-0.05, 1.95, 0.0], [1.0, -1.0, 0.0], 0.0);
         let outcomes: Vec<_> = steps.iter().map(|step| step.outcome).collect();
         use SlabOutcome::{GoesOn, ParallelOutside};
         assert_eq!(outcomes, [GoesOn, GoesOn, ParallelOutside]);
         // x: −1 − (−0.05) = −0.95 … 1.05; y: 1.95 − 1 = 0.95 … 2.95
-        assert!((steps[1].max_near - 0.95).abs() <= 1e-8);
-        assert!((steps[1].min_far - 1.05).abs() <= 1e-8);
+        assert!((steps[1].max_near - 0.95).abs() <= 1e-15);
+        assert!((steps[1].min_far - 1.05).abs() <= 1e-15);
+    }
+
+    #[test]
+    fn a_step_is_decided_with_its_room_and_says_what_it_would_be_without() {
+        // 0.1 above the sphere: past the slab of y, which with room of a quarter it is in
+        let steps = steps([-3.0, 1.1, 0.0], [1.0, 0.0, 0.0], 0.25);
+        let [x, y] = [steps[0], steps[1]];
+        assert_eq!((x.max_near, x.min_far), (1.75, 4.25));
+        assert_eq!(y.outcome, SlabOutcome::ParallelInside);
+        let ray = Ray::new(DVec3::new(-3.0, 1.1, 0.0), DVec3::X);
+        let lines = [DVec3::X, DVec3::Y].map(|normal| SlabRay::new(&ray, normal));
+        let bare_x = x.without_room(&lines[0], None);
+        assert_eq!((bare_x.max_near, bare_x.min_far), (2.0, 4.0));
+        let bare_y = y.without_room(&lines[1], Some(&bare_x));
+        assert_eq!(bare_y.outcome, SlabOutcome::ParallelOutside);
+        assert_eq!(bare_y.inside(), None);
     }
 
     #[test]

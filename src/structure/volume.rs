@@ -5,8 +5,6 @@
 //! rectangular solid", or "the intersection of a set of slabs" (Fig. 15.58(a)). An object is what the scene
 //! file names: a mesh has one volume around all its faces.
 
-use std::cell::OnceCell;
-
 use glam::DVec3;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -14,7 +12,6 @@ use serde::{Deserialize, Serialize};
 use crate::geometry::{MOST_SLABS, OrientedEllipsoid, QuadraticTest, Ray, Sides, Sphere, TRange};
 use crate::scene::Scene;
 use crate::structure::object_bounds::{ellipsoid_around, slabs_around, sphere_around};
-use crate::structure::slab_bound::ROOM;
 use crate::structure::{Inside, RaySlabs, SlabBound, SlabSet, range};
 
 /// Which volume is put around an object?
@@ -34,7 +31,7 @@ pub enum VolumeKind {
     Slabs,
 }
 
-/// A volume around an object, a little wider than the object.
+/// A volume around an object, as the object has it: room for rounding comes with a [`VolumeRay`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Volume<const N: usize = MOST_SLABS> {
     /// The smallest sphere.
@@ -49,30 +46,37 @@ pub enum Volume<const N: usize = MOST_SLABS> {
     Nothing,
 }
 
-/// A ray, and what of its meeting with slabs is the same for all volumes: S and T of each direction,
-/// calculated once, when the first volume asks for them.
+/// A ray, and what of its meeting with volumes is the same for all of them: the room for rounding, and S and T of
+/// each direction of slabs.
 #[derive(Clone, Debug)]
 pub struct VolumeRay<'a, const N: usize = MOST_SLABS> {
     ray: &'a Ray,
-    set: &'a SlabSet<N>,
-    /// The largest coordinate of what the volumes are around.
-    reach: f64,
-    across_axes: OnceCell<RaySlabs<3>>,
-    across_set: OnceCell<RaySlabs<N>>,
+    /// By how much a volume is wider than what it is around: a length.
+    room: f64,
+    across_axes: RaySlabs<3>,
+    across_set: RaySlabs<N>,
 }
 
 impl<'a, const N: usize> VolumeRay<'a, N> {
-    /// A ray that is to be tested against volumes with slabs of this set; `reach` is the largest coordinate
-    /// of what they are around.
-    #[inline]
-    pub fn new(ray: &'a Ray, set: &'a SlabSet<N>, reach: f64) -> Self {
+    /// A ray that is to be tested against volumes with slabs of this set, wider by this
+    /// [`room`](crate::structure::room).
+    pub fn new(ray: &'a Ray, set: &SlabSet<N>, room: f64) -> Self {
         Self {
             ray,
-            set,
-            reach,
-            across_axes: OnceCell::new(),
-            across_set: OnceCell::new(),
+            room,
+            across_axes: RaySlabs::new(ray, &SlabSet::AXES, room),
+            across_set: RaySlabs::new(ray, set, room),
         }
+    }
+
+    /// By how much a volume is wider than what it is around: a length.
+    pub fn room(&self) -> f64 {
+        self.room
+    }
+
+    /// S and T for the directions of the set.
+    pub fn across_set(&self) -> &RaySlabs<N> {
+        &self.across_set
     }
 }
 
@@ -103,41 +107,16 @@ impl<const N: usize> Volume<N> {
         }
     }
 
-    /// Where is the ray's line inside the volume? `None`, or ends that have crossed, if it passes by.
+    /// Where is the ray's line inside the volume, with its room? `None` if it passes by.
     ///
-    /// Both t can be negative: the near one of a ray that starts inside. There is some room on both sides,
-    /// as [`RaySlabs`] has it: the rounding of a test grows with the distance that the ray comes from, and
-    /// spheres and ellipsoids grow by 2·10⁻¹⁰ of that.
-    ///
-    /// `tell` hears of each slab of [`Volume::Slabs`], with the largest near and the smallest far up to it.
-    #[inline]
-    pub fn inside(
-        &self,
-        ray: &VolumeRay<N>,
-        tell: impl FnMut(usize, f64, f64) -> bool,
-    ) -> Option<Inside> {
-        let room = || ROOM * (ray.ray.origin.abs().element_sum() + ray.reach);
+    /// Both t can be negative: the near one of a ray that starts inside. A sphere or an ellipsoid is larger by the
+    /// room; its roots, which are good to 10⁻¹⁰ of themselves, have as much again.
+    pub fn inside(&self, ray: &VolumeRay<N>, set: &SlabSet<N>) -> Option<Inside> {
         match self {
-            Self::Sphere(Sphere { center, radius }) => {
-                let wider = Sphere {
-                    center: *center,
-                    radius: radius + room(),
-                };
-                between_roots(&wider.test(ray.ray, TRange::FORWARD, Sides::Both))
-            }
-            Self::Ellipsoid(ellipsoid) => {
-                let wider = ellipsoid.widened(room());
-                between_roots(&wider.test(ray.ray, TRange::FORWARD, Sides::Both))
-            }
-            Self::Box(bound) => {
-                let lines = || RaySlabs::new(ray.ray, &SlabSet::AXES, ray.reach);
-                let lines = ray.across_axes.get_or_init(lines);
-                Some(bound.inside(lines, |_, _, _| false))
-            }
-            Self::Slabs(bound) => {
-                let lines = || RaySlabs::new(ray.ray, ray.set, ray.reach);
-                Some(bound.inside(ray.across_set.get_or_init(lines), tell))
-            }
+            Self::Sphere(sphere) => inside_sphere(sphere, ray.ray, ray.room),
+            Self::Ellipsoid(ellipsoid) => inside_ellipsoid(ellipsoid, ray.ray, ray.room),
+            Self::Box(bound) => bound.inside(&ray.across_axes, &SlabSet::AXES),
+            Self::Slabs(bound) => bound.inside(&ray.across_set, set),
             Self::Nothing => None,
         }
     }
@@ -165,14 +144,39 @@ impl<const N: usize> Volume<N> {
     }
 }
 
-/// From the smaller root to the larger; `None` without real roots.
+/// Where is a ray inside a sphere, with this room around it?
 #[inline]
-fn between_roots(test: &QuadraticTest) -> Option<Inside> {
+pub(crate) fn inside_sphere(sphere: &Sphere, ray: &Ray, room: f64) -> Option<Inside> {
+    let wider = Sphere {
+        center: sphere.center,
+        radius: sphere.radius + room,
+    };
+    between_roots(&wider.test(ray, TRange::FORWARD, Sides::Both), room)
+}
+
+/// Where is a ray inside an ellipsoid, with this room around it?
+#[inline]
+pub(crate) fn inside_ellipsoid(
+    ellipsoid: &OrientedEllipsoid,
+    ray: &Ray,
+    room: f64,
+) -> Option<Inside> {
+    let wider = ellipsoid.widened(room);
+    between_roots(&wider.test(ray, TRange::FORWARD, Sides::Both), room)
+}
+
+/// From the smaller root to the larger; `None` without real roots. With room, a root's own rounding counts too.
+#[inline]
+fn between_roots(test: &QuadraticTest, room: f64) -> Option<Inside> {
     let mut roots = test.roots.iter().map(|root| root.t);
     let near = roots.next()?;
     let far = roots.next().unwrap_or(near);
+    let rounding = if room == 0.0 { 0.0 } else { ROOT };
     Some(Inside {
-        near: near * (1.0 - ROOM),
-        far: far * (1.0 + ROOM),
+        near: near - rounding * near.abs(),
+        far: far + rounding * far.abs(),
     })
 }
+
+/// A root is good to 10⁻¹⁰ of itself; twice that is a bound's room for it.
+const ROOT: f64 = 2e-10;

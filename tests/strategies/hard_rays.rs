@@ -12,7 +12,7 @@ use raystep::{
     Scene, Shape, Sides, Sphere, Strategy, TRange, load_bytes,
 };
 
-use super::{Question, STRATEGIES, asked};
+use super::{Question, asked, both_drivers};
 use crate::seeded::Seeded;
 
 /// Scenes, each with some objects that are hard to agree about.
@@ -279,8 +279,8 @@ fn compare(seed: u64, scene: &Scene, queries: &[Query], counts: &mut Counts) {
         .iter()
         .filter(|found| found.nearest.is_some())
         .count();
-    for name in STRATEGIES {
-        let found = asked(name, scene, &Queries(queries));
+    for name in both_drivers() {
+        let found = asked(&name, scene, &Queries(queries));
         for ((&(ray, range), &found), &expected) in queries.iter().zip(&found).zip(&expected) {
             if found == expected {
                 continue;

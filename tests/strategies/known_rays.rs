@@ -9,7 +9,7 @@ use glam::DVec3;
 use raystep::{AxisBox, Cone, Ellipsoid, Hit, Polygon, Ray, Scene, Shape, Sides, Sphere, TRange};
 
 use super::hard_rays::{Found, Queries, Query, scene};
-use super::{STRATEGIES, asked};
+use super::{asked, both_drivers};
 
 fn polygon(vertices: &[[f64; 3]]) -> Shape {
     let vertices = vertices.iter().map(|&vertex| vertex.into()).collect();
@@ -17,9 +17,14 @@ fn polygon(vertices: &[[f64; 3]]) -> Shape {
 }
 
 /// All strategies on one ray.
-fn all_of(scene: &Scene, query: Query) -> Vec<(&'static str, Found)> {
-    let names = ["exhaustive"].into_iter().chain(STRATEGIES);
-    let found = |name| (name, asked(name, scene, &Queries(&[query]))[0]);
+fn all_of(scene: &Scene, query: Query) -> Vec<(String, Found)> {
+    let names = [String::from("exhaustive")]
+        .into_iter()
+        .chain(both_drivers());
+    let found = |name: String| {
+        let found = asked(&name, scene, &Queries(&[query]))[0];
+        (name, found)
+    };
     names.map(found).collect()
 }
 

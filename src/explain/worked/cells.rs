@@ -6,20 +6,27 @@ use crate::explain::worked::Solution;
 use crate::explain::worked::count;
 use crate::explain::worked::steps::Course;
 use crate::scene::PrimitiveId;
-use crate::structure::{Across, AssignStep, Share};
+use crate::structure::{Across, AssignStep, BareGrid, Share};
 use crate::trace::{CellVisit, GridEnter, GridExit, HitOutsideCell, Purpose, WalkEnd};
 
 impl Solution<'_> {
     /// The grid, and where the ray comes into it.
-    pub(super) fn grid_enter(&mut self, enter: &GridEnter) {
+    pub(super) fn grid_enter(&mut self, enter: &GridEnter, course: &Course) {
         let d = Digits::USUAL;
+        let bare = self.bare_grid(enter.resolution);
         let [nx, ny, nz] = enter.resolution;
         self.page.plain(format!(
             "Grid of {nx} × {ny} × {nz} cells from {} to {}",
-            d.vector(enter.min),
-            d.vector(enter.max)
+            d.vector(bare.min),
+            d.vector(bare.max)
         ));
-        match (enter.inside, enter.cell) {
+        let ray = course.start.map(|start| start.ray);
+        let inside = ray.map_or(enter.inside, |ray| bare.inside(&ray));
+        match (inside, enter.cell) {
+            (None, Some(cell)) => self.page.plain(format!(
+                "the ray passes by its box, but by less than the room for rounding: it starts in cell {}",
+                place(cell)
+            )),
             (Some([near, far]), Some(cell)) => self.page.plain(format!(
                 "the ray is in its box from {} to {} and starts in cell {}",
                 d.number(near),
@@ -38,10 +45,25 @@ impl Solution<'_> {
         }
     }
 
+    /// The grid that the log tells of, without room.
+    fn bare_grid(&self, resolution: [u32; 3]) -> BareGrid {
+        let built = || BareGrid::around(self.scene, resolution);
+        *self.grid.get_or_init(built)
+    }
+
+    /// The grid by whose planes the cells of a ray are told.
+    pub(super) fn grid_along(&self, enter: &GridEnter, course: &Course) -> Option<BareGrid> {
+        let bare = self.bare_grid(enter.resolution);
+        bare.inside(&course.start?.ray).map(|_| bare)
+    }
+
     /// A cell with its t, and the plane that comes next.
-    pub(super) fn cell(&mut self, visit: &CellVisit) {
+    pub(super) fn cell(&mut self, visit: &CellVisit, course: &Course) {
         let d = Digits::USUAL;
-        let step = visit.step;
+        let step = match (&course.grid, course.start) {
+            (Some(grid), Some(start)) => grid.step(&start.ray, start.range.min, &visit.step),
+            _ => visit.step,
+        };
         let next: Vec<String> = ["x", "y", "z"]
             .into_iter()
             .zip(step.next)

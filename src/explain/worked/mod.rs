@@ -7,6 +7,7 @@
 
 mod aligned;
 mod arrival;
+mod bare;
 mod cells;
 mod connection;
 mod gathered;
@@ -38,7 +39,9 @@ use crate::explain::printable;
 use crate::explain::worked::leaves::Leaves;
 use crate::explain::worked::light_path::KnownPath;
 use crate::explain::worked::search::BUILDING;
+use crate::geometry::MOST_SLABS;
 use crate::scene::{PrimitiveId, Scene};
+use crate::structure::{BareGrid, Hierarchy};
 use crate::trace::{Event, Kind, Kinds, RayTree, Record, Settings};
 
 /// What of the working is printed, and how.
@@ -81,6 +84,8 @@ pub fn worked_solution(
         paths: KnownPath::all(records),
         records: &[],
         tree: RayTree::default(),
+        hierarchy: OnceCell::new(),
+        grid: OnceCell::new(),
         page: Page::new(options.colour),
     };
     solution.write(records);
@@ -100,6 +105,10 @@ struct Solution<'a> {
     records: &'a [Record],
     /// Its rays, whose numbers begin at 0 in each part.
     tree: RayTree,
+    /// The hierarchy, built again where the log says too little of its bounds.
+    hierarchy: OnceCell<Hierarchy<MOST_SLABS>>,
+    /// The grid without room, built again once it is asked for.
+    grid: OnceCell<BareGrid>,
     page: Page,
 }
 

@@ -36,6 +36,8 @@ impl Solution<'_> {
             slabs_in_full: self.slabs_in_full(&steps),
             slab_rays: slab_rays(&steps),
             last: None,
+            grid: None,
+            slabs: Vec::new(),
         };
         self.page.line(Tone::Heading, self.ray_title(place));
         self.page.indent();
@@ -87,10 +89,7 @@ impl Solution<'_> {
                     self.arrive(&mut course);
                     self.shade(shade);
                 }
-                Step::Search(event) => {
-                    self.search(event, &course);
-                    course.last = Some(*event);
-                }
+                Step::Search(event) => self.search_step(event, &mut course),
                 Step::Photon(photon) => {
                     self.arrive(&mut course);
                     self.photon(photon, &course);

@@ -8,8 +8,18 @@ use crate::trace::{BoundOutcome, Bounded, Event, Kind, QueueAction};
 const SLABS_IN_FULL: usize = 24;
 
 impl Solution<'_> {
+    /// One step of the search, and what is known after it.
+    pub(super) fn search_step(&mut self, event: &Event, course: &mut Course) {
+        course.follow_slabs(event);
+        if let Event::GridEnter(enter) = event {
+            course.grid = self.grid_along(enter, course);
+        }
+        self.search(event, course);
+        course.last = Some(*event);
+    }
+
     /// One step of the search.
-    pub(super) fn search(&mut self, event: &Event, course: &Course) {
+    fn search(&mut self, event: &Event, course: &Course) {
         if !self.shows(event.kind()) {
             return;
         }
@@ -20,8 +30,8 @@ impl Solution<'_> {
             Event::BoundTest(test) => self.bound_test(test, course),
             Event::Node(visit) => self.node(visit, course),
             Event::Queue(step) => self.queue(step, course),
-            Event::GridEnter(enter) => self.grid_enter(enter),
-            Event::Cell(cell) => self.cell(cell),
+            Event::GridEnter(enter) => self.grid_enter(enter, course),
+            Event::Cell(cell) => self.cell(cell, course),
             Event::Mailbox { object } => self.mailbox(*object),
             Event::HitOutsideCell(hit) => self.hit_outside_cell(hit),
             Event::GridExit(exit) => self.grid_exit(*exit, course),

@@ -7,9 +7,10 @@ use crate::geometry::{
     AlignedRay, BoxTest, EdgeTest, PlaneTest, PolygonTest, QuadraticTest, Ray, Refraction,
 };
 use crate::scene::PrimitiveId;
+use crate::structure::{BareGrid, SlabStep};
 use crate::trace::{
-    Arrival, Event, Gathered, Item, LightTerm, Nearby, Nearest, Photon, RayEnd, RaySlab, RayStart,
-    Record, Shade, Stored,
+    Arrival, Bounded, Event, Gathered, Item, LightTerm, Nearby, Nearest, Photon, RayEnd, RaySlab,
+    RayStart, Record, Shade, Stored,
 };
 
 /// What is known of a ray while its steps are told.
@@ -40,6 +41,10 @@ pub(super) struct Course {
     pub(super) slab_rays: Vec<RaySlab>,
     /// The step of the search that was told last.
     pub(super) last: Option<Event>,
+    /// The grid that it passes through, without room for rounding; `None` if it is in its box by that room alone.
+    pub(super) grid: Option<BareGrid>,
+    /// The slabs of the bound that is tested, without room for rounding.
+    pub(super) slabs: Vec<(Bounded, SlabStep)>,
 }
 
 impl Course {

@@ -7,7 +7,7 @@ use crate::explain::page::Tone;
 use crate::explain::printable;
 use crate::explain::worked::Solution;
 use crate::explain::worked::steps::Course;
-use crate::geometry::SlabInterval;
+use crate::geometry::{SlabInterval, TRange};
 use crate::structure::{SlabOutcome, SlabSet, SlabStep, Volume, VolumeKind};
 use crate::trace::{BoundOutcome, BoundTest, Bounded, Kind, Purpose, RaySlab, SlabTest};
 
@@ -22,7 +22,7 @@ impl Solution<'_> {
         if !self.shows(Kind::SlabTest) {
             return;
         }
-        let step = &test.step;
+        let step = &course.bare_slab(test);
         if step.slab == 0 {
             let title = format!("{}: the slabs around it", self.bounded(test.of));
             self.page.line(Tone::Heading, title);
@@ -65,14 +65,21 @@ impl Solution<'_> {
             VolumeKind::Box => "the bounding box",
             VolumeKind::Slabs => "the intersection of the slabs",
         };
-        let stretch = test.inside.map_or(String::new(), |[near, far]| {
+        let bare = self.bare_inside(test, course);
+        let stretch = bare.map_or(String::new(), |[near, far]| {
             format!("from t = {} to t = {}", d.number(near), d.number(far))
         });
-        let begins = test
-            .inside
-            .map_or(String::new(), |[near, _]| d.number(near));
+        let begins = bare.map_or(String::new(), |[near, _]| d.number(near));
+        let by_room = by_room_alone(test, bare, course);
         let of = self.bounded(test.of);
-        let (tone, text) = match test.outcome {
+        let outcome = match test.outcome {
+            BoundOutcome::Behind | BoundOutcome::Beyond if bare.is_none() => BoundOutcome::Missed,
+            outcome => outcome,
+        };
+        let (tone, text) = match outcome {
+            BoundOutcome::Hit if let Some(why) = by_room => {
+                (Tone::Found, format!("{why}: {looked_at}"))
+            }
             BoundOutcome::Hit => (Tone::Found, format!("is met {stretch}: {looked_at}")),
             BoundOutcome::Missed => (Tone::Refused, format!("is missed: {left_out}")),
             BoundOutcome::Behind => (
@@ -128,6 +135,27 @@ impl Solution<'_> {
             }
         }
     }
+}
+
+/// That a volume counts by its room for rounding alone, if it is so.
+fn by_room_alone(test: &BoundTest, bare: Option<[f64; 2]>, course: &Course) -> Option<String> {
+    let d = Digits::USUAL;
+    let range = course.start.map_or(TRange::FORWARD, |start| start.range);
+    let range = course.nearest.map_or(range, |t| range.up_to(t));
+    let what = match (BoundOutcome::of(bare, range), bare) {
+        (BoundOutcome::Hit, _) => return None,
+        (BoundOutcome::Behind, Some([_, far])) => {
+            format!("ends at t = {}, before any t counts", d.number(far))
+        }
+        (BoundOutcome::Beyond, Some([near, _])) => {
+            format!("begins at t = {}, {}", d.number(near), beyond(course))
+        }
+        _ => "is missed".into(),
+    };
+    let room = d.number(test.room);
+    Some(format!(
+        "{what}, but by less than its room for rounding, {room}"
+    ))
 }
 
 /// Behind what a volume begins.

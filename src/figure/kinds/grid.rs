@@ -39,7 +39,7 @@ const MET: Look = Look {
 
 fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, FigureError> {
     let ray = figure.ray()?;
-    let walk = Walk::of(&ray)?;
+    let walk = Walk::of(&ray, figure.scene)?;
     let tested = walk.tested();
     let body = if figure.shows(Layer::Legend) {
         legend(figure, (&ray, &tested), sheet, body)

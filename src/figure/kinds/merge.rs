@@ -132,11 +132,6 @@ fn planes(sheet: &mut Sheet, stage: &Stage, room: Frame, joined: &Joined) {
 }
 
 impl Joined {
-    /// D as it is told.
-    fn told(&self, d: f64) -> String {
-        quantity(bound::without_pad(d, &self.bounds[2]))
-    }
-
     /// The first two bounds below the node that is above the object of the specification, or below the root.
     fn find(figure: &Figure) -> Result<Self, FigureError> {
         let hierarchy = bound::hierarchy(figure.first)?;
@@ -267,7 +262,7 @@ impl Table {
         let rows = pairs.map(|((step, merge), slab)| {
             let (d_min, d_max) = merge.joined();
             let cell = |d: f64, taken: f64| Cell {
-                text: joined.told(d),
+                text: quantity(d),
                 is_taken: d == taken,
             };
             let name = Cell {
@@ -378,13 +373,13 @@ fn in_words(joined: &Joined, projection: &Projection) -> String {
         if !slab.is_on_edge(projection) {
             continue;
         }
-        let [a, b] = merge.d_min.map(|d| joined.told(d));
-        let [c, d] = merge.d_max.map(|d| joined.told(d));
+        let [a, b] = merge.d_min.map(quantity);
+        let [c, d] = merge.d_max.map(quantity);
         sentences.push(format!(
             "Slab {}: D_min is the minimum of {a} and {b}, {}; D_max is the maximum of {c} and {d}, {}.",
             merge.slab,
-            joined.told(slab.d_min),
-            joined.told(slab.d_max)
+            quantity(slab.d_min),
+            quantity(slab.d_max)
         ));
     }
     sentences.join(" ")

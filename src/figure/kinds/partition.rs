@@ -28,7 +28,7 @@ pub(super) const KIND: Kind = Kind {
 };
 
 fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, FigureError> {
-    let walk = Walk::of(&figure.ray()?)?;
+    let walk = Walk::of(&figure.ray()?, figure.scene)?;
     let lattice = Lattice::of(&walk.grid);
     // room for what stands beside the box
     let room = body.wider(-0.5 * sheet.letters);

@@ -34,7 +34,8 @@ pub(super) const KIND: Kind = Kind {
 /// The tests of one bound's slabs, as they are in the trace, and the step at which the bound was decided.
 pub(super) struct SlabTests<'a> {
     pub(super) of: Bounded,
-    pub(super) tests: Vec<(u32, &'a SlabTest)>,
+    /// Without the room for rounding with which they are decided.
+    pub(super) tests: Vec<(u32, SlabTest)>,
     /// S and T of the ray and each slab.
     lines: Vec<&'a RaySlab>,
     pub(super) decided: Option<(u32, &'a BoundTest)>,
@@ -61,13 +62,19 @@ impl<'a> SlabTests<'a> {
                 "take the strategy bounds with \"structure\": { \"volume\": \"slabs\", \"slabs\": \"scene\" }",
             )
         })?;
-        let mut tests = Vec::new();
-        let mut lines = Vec::new();
+        let mut tests: Vec<(u32, SlabTest)> = Vec::new();
+        let mut lines: Vec<&RaySlab> = Vec::new();
         let mut decided = None;
         for record in events {
             match &record.event {
                 Event::SlabRay(line) => lines.push(line),
-                Event::SlabTest(test) if test.of == of => tests.push((record.step, test)),
+                Event::SlabTest(test) if test.of == of => {
+                    let line = lines.iter().find(|line| line.slab == test.step.slab);
+                    let before = tests.last().map(|(_, test)| &test.step);
+                    let bare = |line: &&RaySlab| test.step.without_room(&line.line(), before);
+                    let step = line.map_or(test.step, bare);
+                    tests.push((record.step, SlabTest { of, step }));
+                }
                 Event::BoundTest(test) if test.of == of => decided = Some((record.step, test)),
                 _ => {}
             }
@@ -120,7 +127,7 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
     let drawing = if figure.shows(Layer::Numbers) {
         /// Of the width at most.
         const SHARE: f64 = 0.66;
-        let table = Table::new(sheet, &all, &slabs);
+        let table = Table::new(sheet, &slabs);
         let gap = 2.0 * sheet.letters;
         let rest = 1.0 - table.width() / (body.size().x - gap);
         let [left, right] = body.split(rest.clamp(0.0, SHARE), gap);
@@ -155,7 +162,7 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
         let at = stage.place(middle) - DVec2::new(sheet.letters, 0.0);
         sheet.label(stage.frame, at, DVec2::X, bounded(figure, found.of));
     }
-    Ok(in_words(figure, found.of, &all, &slabs))
+    Ok(in_words(figure, found.of, &slabs))
 }
 
 /// The two planes of each slab as lines with the names of their D, and its normal.
@@ -254,10 +261,9 @@ impl Table {
     const HEAD: [&str; 3] = ["n", "D_min", "D_max"];
 
     /// As wide as the texts.
-    fn new(sheet: &Sheet, all: &[Slab], slabs: &[(u32, Slab)]) -> Self {
-        let told = |d: f64| quantity(bound::without_pad(d, all));
+    fn new(sheet: &Sheet, slabs: &[(u32, Slab)]) -> Self {
         let rows = slabs.iter().map(|(step, slab)| {
-            let texts = [slab.name(), told(slab.d_min), told(slab.d_max)];
+            let texts = [slab.name(), quantity(slab.d_min), quantity(slab.d_max)];
             (*step, texts)
         });
         let rows: Vec<(u32, [String; 3])> = rows.collect();
@@ -318,8 +324,7 @@ pub(super) fn bounded(figure: &Figure, of: Bounded) -> String {
     }
 }
 
-fn in_words(figure: &Figure, of: Bounded, all: &[Slab], slabs: &[(u32, Slab)]) -> String {
-    let told = |d: f64| quantity(bound::without_pad(d, all));
+fn in_words(figure: &Figure, of: Bounded, slabs: &[(u32, Slab)]) -> String {
     let mut sentences = vec![format!(
         "The bound of {}: the intersection of its slabs, of which {} are seen from their edges.",
         bounded(figure, of),
@@ -330,10 +335,10 @@ fn in_words(figure: &Figure, of: Bounded, all: &[Slab], slabs: &[(u32, Slab)]) -
         sentences.push(format!(
             "Slab {} with normal ({a}, {b}, {c}): D_min {}, D_max {}; along the normal the object lies between {} and {}.",
             slab.number,
-            told(slab.d_min),
-            told(slab.d_max),
-            told(-slab.d_max),
-            told(-slab.d_min)
+            quantity(slab.d_min),
+            quantity(slab.d_max),
+            quantity(-slab.d_max),
+            quantity(-slab.d_min)
         ));
     }
     sentences.join(" ")

@@ -28,7 +28,7 @@ const CHOSEN: Look = Look::VISITED.wide(2.5);
 
 fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, FigureError> {
     let ray = figure.ray()?;
-    let walk = Walk::of(&ray)?;
+    let walk = Walk::of(&ray, figure.scene)?;
     if walk.visits.is_empty() {
         return Err(FigureError::new(
             "pixel",

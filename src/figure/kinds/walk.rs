@@ -2,8 +2,8 @@
 
 use crate::figure::drawing::DrawnRay;
 use crate::figure::error::FigureError;
-use crate::scene::PrimitiveId;
-use crate::structure::{Across, CellStep};
+use crate::scene::{PrimitiveId, Scene};
+use crate::structure::{Across, BareGrid, CellStep};
 use crate::trace::{Event, GridEnter, HitOutsideCell, Record, WalkEnd};
 
 /// What happened on the way of a ray through a grid.
@@ -45,14 +45,25 @@ impl Walk {
     ///
     /// # Errors
     /// The ray was not traced through a grid.
-    pub(super) fn of(ray: &DrawnRay) -> Result<Self, FigureError> {
-        Self::gathered(ray.events.iter().copied()).ok_or_else(|| {
+    pub(super) fn of(ray: &DrawnRay, scene: &Scene) -> Result<Self, FigureError> {
+        let gathered = Self::gathered(ray.events.iter().copied());
+        let mut walk = gathered.ok_or_else(|| {
             FigureError::new(
                 "strategy",
                 "the ray was not traced through a grid",
                 "add \"strategy\": \"grid\", and draw a scene that has objects",
             )
-        })
+        })?;
+        // t is told without the room for rounding that the grid's planes have
+        let bare = BareGrid::around(scene, walk.grid.resolution);
+        if let Some(start) = ray.node.start
+            && bare.inside(&start.ray).is_some()
+        {
+            for visit in &mut walk.visits {
+                visit.cell = bare.step(&start.ray, start.range.min, &visit.cell);
+            }
+        }
+        Ok(walk)
     }
 
     fn gathered<'r>(events: impl Iterator<Item = &'r Record>) -> Option<Self> {

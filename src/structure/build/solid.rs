@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use crate::scene::Shape;
-use crate::structure::extent::box_around;
+use crate::structure::extent::widened_box;
 use crate::structure::extremes::{larger, smaller};
 
 /// min ≤ p ≤ max.
@@ -20,9 +20,10 @@ impl Solid {
         max: DVec3::NEG_INFINITY,
     };
 
-    /// Around a shape.
+    /// Around a shape, with a little room: so flat things have a volume too, and of equal volumes that nearer to the
+    /// origin is the smaller one.
     pub(super) fn of(shape: &Shape) -> Self {
-        let [min, max] = box_around(shape);
+        let [min, max] = widened_box(shape);
         Self { min, max }
     }
 

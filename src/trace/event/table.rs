@@ -127,7 +127,9 @@ events! {
         volume: VolumeKind,
         /// Where the ray is inside the volume; `None` if it passes by.
         inside: Stretch = flat,
-        /// What follows from that.
+        /// By how much the volume is wider for rounding than what it is around: a length. `inside` has it in it.
+        room: f64,
+        /// What follows from where the ray is inside.
         outcome: BoundOutcome = flat,
     }
 

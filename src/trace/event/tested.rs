@@ -76,6 +76,14 @@ impl RaySlab {
             },
         }
     }
+
+    /// S and T, as a slab is met by them.
+    pub(crate) fn line(&self) -> SlabRay {
+        SlabRay {
+            s: self.s,
+            t_scale: self.t_scale,
+        }
+    }
 }
 
 impl PixelColour {

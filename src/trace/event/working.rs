@@ -294,6 +294,9 @@ impl Fields for SlabStep {
         v.field("d_min", meaning, &mut self.d_min);
         let meaning = "D of the plane furthest back along the normal.";
         v.field("d_max", meaning, &mut self.d_max);
+        let meaning =
+            "By how much either plane is moved outwards for rounding: a length. t has it in it.";
+        v.field("room", meaning, &mut self.room);
         slab_interval(&mut self.interval, ["parallel", "near", "far"], v);
         let meaning =
             "The largest near up to this slab; absent: the ray is parallel to all slabs so far.";

@@ -14,8 +14,8 @@ use parry3d_f64::partitioning::{Bvh as ParryBvh, BvhBuildStrategy};
 use parry3d_f64::query::{Ray as ParryRay, RayCast};
 use parry3d_f64::shape::TriMesh;
 use raystep::{
-    BoundedObjects, Build, Counts, DepthFirst, Exhaustive, GridOptions, HeapOrdered, Off, Ray,
-    Scene, SlabSet, Strategy, TRange, UniformGrid, VolumeKind, ZAligned,
+    Build, Chosen, Counts, GridOptions, Off, Ray, Scene, SlabChoice, Strategy, StrategyName,
+    StructureOptions, TRange,
 };
 
 use crate::scenes::Objects;
@@ -100,9 +100,19 @@ pub(crate) fn contenders<'a>(objects: &'a Objects, scene: &'a Scene) -> Vec<Cont
 }
 
 fn of_raystep(scene: &Scene) -> Vec<Contender<'_>> {
-    let axes = &SlabSet::AXES;
-    let seven = &SlabSet::SEVEN;
-    let grid = |options: GridOptions| move || UniformGrid::new(scene, &options).expect("a grid");
+    let all = usize::MAX;
+    let built = |build: Build| StructureOptions {
+        build,
+        ..StructureOptions::default()
+    };
+    let seven = StructureOptions {
+        slabs: SlabChoice::Seven,
+        ..built(Build::SurfaceArea)
+    };
+    let grid = |grid: GridOptions| StructureOptions {
+        grid,
+        ..StructureOptions::default()
+    };
     let without = GridOptions {
         mailboxes: false,
         ..GridOptions::default()
@@ -112,45 +122,47 @@ fn of_raystep(scene: &Scene) -> Vec<Contender<'_>> {
         density: 1.0,
         ..GridOptions::default()
     };
-    let all = usize::MAX;
+    let areas = built(Build::SurfaceArea);
+    use StrategyName::{Grid, Heap, Hierarchy};
+    let ours = |name, strategy, options| ours(scene, name, all, strategy, options);
     vec![
-        ours("hierarchy", all, || {
-            DepthFirst::new(scene, axes, Build::SurfaceArea)
-        }),
-        ours("  seven slabs", all, || {
-            DepthFirst::new(scene, seven, Build::SurfaceArea)
-        }),
-        ours("  bottom-up", all, || {
-            DepthFirst::new(scene, axes, Build::BottomUp)
-        }),
-        ours("  insertion", all, || {
-            DepthFirst::new(scene, axes, Build::Insertion)
-        }),
-        ours("  with a heap", all, || {
-            HeapOrdered::new(scene, axes, Build::SurfaceArea)
-        }),
-        ours("grid", all, grid(GridOptions::default())),
-        ours("  no mailboxes", all, grid(without)),
-        ours("  a cell each", all, grid(coarse)),
+        ours("hierarchy", Hierarchy, areas),
+        ours("  seven slabs", Hierarchy, seven),
+        ours("  bottom-up", Hierarchy, built(Build::BottomUp)),
+        ours("  insertion", Hierarchy, built(Build::Insertion)),
+        ours("  with a heap", Heap, areas),
+        ours("grid", Grid, grid(GridOptions::default())),
+        ours("  no mailboxes", Grid, grid(without)),
+        ours("  a cell each", Grid, grid(coarse)),
     ]
 }
 
 /// Those whose time grows with the number of objects.
 fn linear(scene: &Scene) -> Vec<Contender<'_>> {
-    let volumes = || BoundedObjects::new(scene, VolumeKind::Box, &SlabSet::AXES);
+    use StrategyName::{Bounds, Exhaustive, ZAligned};
+    let usual = StructureOptions::default();
+    let ours = |name, strategy| ours(scene, name, LINEAR, strategy, usual);
     vec![
-        ours("exhaustive", LINEAR, || Exhaustive::new(scene)),
-        ours("boxes", LINEAR, volumes),
-        ours("z-aligned", LINEAR, || ZAligned::new(scene)),
+        ours("exhaustive", Exhaustive),
+        ours("boxes", Bounds),
+        ours("z-aligned", ZAligned),
     ]
 }
 
-fn ours<'a, S: Strategy + 'a>(
+/// A strategy, whose fast driver runs without a recorder. What that needs is built with the structure.
+fn ours<'a>(
+    scene: &'a Scene,
     name: &'static str,
     most: usize,
-    build: impl FnMut() -> S,
+    strategy: StrategyName,
+    options: StructureOptions,
 ) -> Contender<'a> {
-    let (strategy, build) = timed(build);
+    let anywhere = Ray::new(DVec3::ZERO, DVec3::X);
+    let (strategy, build) = timed(|| {
+        let strategy = Chosen::new(scene, strategy, &options).expect("a structure");
+        let _ = strategy.any(&anywhere, TRange::FORWARD, &mut Off);
+        strategy
+    });
     let strategy = std::rc::Rc::new(strategy);
     let counted = strategy.clone();
     Contender {

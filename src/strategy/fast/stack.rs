@@ -1,4 +1,10 @@
-//! The nodes that wait for their turn while a hierarchy is walked depth first.
+//! The nodes that wait for their turn, without memory of their own as long as they are few.
+
+use std::cmp::Ordering;
+
+use crate::geometry::TRange;
+use crate::strategy::fast::slabs::BothPlanes;
+use crate::structure::SlabBound;
 
 /// A node that waits to be entered.
 #[derive(Clone, Copy, Debug, Default)]
@@ -6,8 +12,44 @@ pub(super) struct Waiting {
     /// Where the ray enters its bound.
     pub(super) near: f64,
     pub(super) node: u32,
-    pub(super) depth: u32,
 }
+
+impl Waiting {
+    /// A node, if the ray meets its bound where a hit still counts.
+    #[inline]
+    pub(super) fn met<const N: usize>(
+        node: u32,
+        bound: &SlabBound<N>,
+        ray: &BothPlanes<N>,
+        range: TRange,
+    ) -> Option<Self> {
+        let inside = ray.inside(bound);
+        let near = inside.begins(range);
+        inside.meets(range).then_some(Self { near, node })
+    }
+}
+
+/// By the estimated distance; of equals by the number of the node, so that the order is always the same.
+impl Ord for Waiting {
+    fn cmp(&self, other: &Self) -> Ordering {
+        let by_distance = self.near.total_cmp(&other.near);
+        by_distance.then(self.node.cmp(&other.node))
+    }
+}
+
+impl PartialOrd for Waiting {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl PartialEq for Waiting {
+    fn eq(&self, other: &Self) -> bool {
+        self.cmp(other) == Ordering::Equal
+    }
+}
+
+impl Eq for Waiting {}
 
 /// How many nodes wait without memory of their own: of the twenty levels of a tree of a million objects, not
 /// every one leaves a node waiting, and places are cleared anew for each ray.

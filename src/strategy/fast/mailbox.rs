@@ -1,8 +1,4 @@
-//! Mailboxes: was an object tested against this ray before?
-//!
-//! An object in several cells is on the list of each. A ray that passes through them tests it in the first and
-//! leaves a stamp in the object's mailbox; the stamp says in the others that it is done (B. Arnaldi, T. Priol
-//! and K. Bouatouch 1987; J. Amanatides and A. Woo 1987).
+//! Mailboxes that no ray clears: a stamp is the number of the last ray that was tested against the object.
 
 use std::cell::Cell;
 

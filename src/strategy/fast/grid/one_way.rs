@@ -3,23 +3,65 @@
 //! Upwards and downwards a walk is the same, but for the order of the planes and the sign of the step. So each axis
 //! has both orders at hand, a ray takes one of them, and from there on nothing asks for its direction.
 
+use glam::DVec3;
+
+use crate::structure::CellPlanes;
+
+/// The ways through a grid: along x, y and z, each upwards and downwards.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(super) struct Ways([[OneWay; 2]; 3]);
+
+impl Ways {
+    /// Those through these cells.
+    pub(super) fn new(cells: &CellPlanes) -> Self {
+        if cells.is_empty() {
+            return Self::default();
+        }
+        let strides = cells.strides();
+        Self([0, 1, 2].map(|axis| {
+            let planes = cells.axis(axis);
+            [
+                OneWay::up(planes, strides[axis]),
+                OneWay::down(planes, strides[axis]),
+            ]
+        }))
+    }
+
+    /// The way of a ray along each axis; a zero of either sign counts as its sign says.
+    #[inline]
+    pub(super) fn of(&self, direction: DVec3) -> [&OneWay; 3] {
+        let [x, y, z] = &self.0;
+        let sign = |direction: f64| usize::from(direction.is_sign_negative());
+        [
+            &x[sign(direction.x)],
+            &y[sign(direction.y)],
+            &z[sign(direction.z)],
+        ]
+    }
+
+    /// How much memory the planes take, in bytes.
+    pub(super) fn bytes(&self) -> usize {
+        self.0.as_flattened().iter().map(OneWay::bytes).sum()
+    }
+}
+
 /// The cells along an axis, as rays come through them that all go the same way.
 ///
 /// Cells are counted as they are entered: cell 0 is the lowest upwards, and the highest downwards.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub(crate) struct OneWay {
+pub(super) struct OneWay {
     /// The outer plane through which such a ray comes in.
-    pub(crate) from: f64,
+    pub(super) from: f64,
     /// The one through which it goes out.
-    pub(crate) to: f64,
+    pub(super) to: f64,
     /// Cells for each unit of length; below 0 downwards.
-    pub(crate) per_unit: f64,
+    pub(super) per_unit: f64,
     /// How much of a cell's number cell 0 stands for.
-    pub(crate) first_number: usize,
+    pub(super) first_number: usize,
     /// By how much the number grows from one cell to the next, as a wrapping number.
-    pub(crate) to_cell: usize,
+    pub(super) to_cell: usize,
     /// The last cell.
-    pub(crate) last: u32,
+    pub(super) last: u32,
     /// −∞ (downwards ∞) in the place of `from`, before which no walk begins; each plane up to `to`; and one that no
     /// ray meets, for a walk that looks one plane too far.
     planes: Box<[f64]>,
@@ -27,12 +69,12 @@ pub(crate) struct OneWay {
 
 impl OneWay {
     /// Upwards through planes that rise.
-    pub(super) fn up(planes: &[f64], stride: usize) -> Self {
+    fn up(planes: &[f64], stride: usize) -> Self {
         Self::along(planes.iter().copied(), f64::INFINITY, 0, stride)
     }
 
     /// Downwards through planes that rise.
-    pub(super) fn down(planes: &[f64], stride: usize) -> Self {
+    fn down(planes: &[f64], stride: usize) -> Self {
         let cells = planes.len() - 1;
         let highest = (cells - 1) * stride;
         Self::along(
@@ -71,35 +113,34 @@ impl OneWay {
 
     /// The planes that lie ahead in a cell, led by the one behind it: so the second one is met next.
     #[inline]
-    pub(crate) fn ahead(&self, cell: usize) -> &[f64] {
+    pub(super) fn ahead(&self, cell: usize) -> &[f64] {
         &self.planes[cell..]
+    }
+
+    /// A cell counted from the lowest, as it is counted along the way.
+    pub(super) fn along_from_lowest(&self, cell: usize) -> usize {
+        if self.per_unit < 0.0 {
+            self.last as usize - cell
+        } else {
+            cell
+        }
     }
 
     /// How much of a cell's number a cell along the way stands for, as a wrapping number.
     #[inline]
-    pub(crate) fn number(&self, cell: usize) -> usize {
+    pub(super) fn number(&self, cell: usize) -> usize {
         self.first_number
             .wrapping_add(cell.wrapping_mul(self.to_cell))
     }
 
-    /// The planes that can be met: the first one behind cell 0.
-    pub(crate) fn met(&self) -> &[f64] {
-        &self.planes[1..self.planes.len() - 1]
-    }
-
     /// How much memory the planes take, in bytes.
-    pub(super) fn bytes(&self) -> usize {
+    fn bytes(&self) -> usize {
         size_of_val(&*self.planes)
-    }
-
-    /// About which cell a coordinate lies in; the first or the last if it lies outside.
-    pub(crate) fn near(&self, x: f64) -> usize {
-        self.cell_at((x - self.from) * self.per_unit)
     }
 
     /// The cell so many cells' sides behind `from`; the first or the last if that is outside.
     #[inline]
-    pub(crate) fn cell_at(&self, sides: f64) -> usize {
+    pub(super) fn cell_at(&self, sides: f64) -> usize {
         // a conversion to whole numbers cuts off what does not fit
         (sides as u32).min(self.last) as usize
     }
@@ -121,10 +162,8 @@ mod tests {
         let [up, down] = ways();
         assert_eq!(up.ahead(0), [-INF, 3.0, 5.0, 7.0, INF]);
         assert_eq!(up.ahead(2), [5.0, 7.0, INF]);
-        assert_eq!(up.met(), [3.0, 5.0, 7.0]);
         assert_eq!(down.ahead(0), [INF, 5.0, 3.0, 1.0, -INF]);
         assert_eq!(down.ahead(2), [3.0, 1.0, -INF]);
-        assert_eq!(down.met(), [5.0, 3.0, 1.0]);
     }
 
     #[test]
@@ -137,16 +176,11 @@ mod tests {
 
     #[test]
     fn cells_are_counted_from_where_the_ray_comes_in() {
-        let [up, down] = ways();
-        for (y, from_below, from_above) in [
-            (0.0, 0, 2),
-            (1.5, 0, 2),
-            (4.0, 1, 1),
-            (6.5, 2, 0),
-            (9.0, 2, 0),
-        ] {
-            assert_eq!(up.near(y), from_below, "{y}");
-            assert_eq!(down.near(y), from_above, "{y}");
+        // sides of 2: 3 units behind the first plane is in the second cell
+        for way in ways() {
+            let sides = |units: f64| way.per_unit.abs() * units;
+            let found = [-1.0, 0.5, 3.0, 5.5, 8.0].map(|units| way.cell_at(sides(units)));
+            assert_eq!(found, [0, 0, 1, 2, 2]);
         }
     }
 }

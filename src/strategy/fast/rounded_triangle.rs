@@ -13,17 +13,16 @@
 
 use glam::{DVec2, DVec3, Vec2};
 
-use crate::geometry::corners::Corners;
-use crate::geometry::plane::FLAT;
-use crate::geometry::point_in_polygon::{ROUNDING, clear_crossings};
-use crate::geometry::{Axis, Plane, Polygon, Ray, Sides, TRange};
+use crate::geometry::{
+    Axis, FLAT, OUTLINE_ROUNDING, Plane, Polygon, Ray, Sides, TRange, clear_crossings,
+};
 
 /// A triangle, or any other shape as one that settles nothing.
 ///
 /// It takes 64 bytes, a cache line, and is laid out on one.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(align(64))]
-pub(crate) struct RoundedTriangle {
+pub(super) struct RoundedTriangle {
     /// As it is: t depends on it.
     plane: Plane,
     outline: [Vec2; 3],
@@ -35,7 +34,7 @@ pub(crate) struct RoundedTriangle {
 
 /// Where does a ray meet a triangle, as far as its rounded outline can tell?
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum RoundedTest {
+pub(super) enum RoundedTest {
     /// Where the triangle's own test finds no hit.
     Missed,
     /// Where it finds this one.
@@ -49,7 +48,7 @@ const CLEAR: f64 = 8.0 / FLAT;
 
 impl RoundedTriangle {
     /// Settles nothing: whatever the ray, it is flat.
-    pub(crate) const UNSETTLED: Self = Self {
+    pub(super) const UNSETTLED: Self = Self {
         plane: Plane {
             normal: DVec3::ZERO,
             d: 0.0,
@@ -61,23 +60,18 @@ impl RoundedTriangle {
     };
 
     /// The copy of a polygon; `None` if that is no triangle.
-    pub(crate) fn new(polygon: &Polygon, sides: Sides) -> Option<Self> {
-        let Corners::Triangle {
-            dropped, outline, ..
-        } = &polygon.corners
-        else {
-            return None;
-        };
+    pub(super) fn new(polygon: &Polygon, sides: Sides) -> Option<Self> {
+        let outline: [DVec2; 3] = polygon.outline().try_into().ok()?;
         let rounded = outline.map(DVec2::as_vec2);
         let moved = |(p, rounded): (&DVec2, &Vec2)| (*p - rounded.as_dvec2()).abs().max_element();
         // beyond the largest number of 32 bits it is infinite: then nothing is clear of an edge
         let moved = outline.iter().zip(&rounded).map(moved).fold(0.0, f64::max);
-        let slack = CLEAR * polygon.off_plane + 2.0 * moved;
+        let slack = CLEAR * polygon.off_plane() + 2.0 * moved;
         Some(Self {
-            plane: polygon.plane,
+            plane: polygon.plane(),
             outline: rounded,
             slack: (slack as f32).next_up(),
-            dropped: *dropped,
+            dropped: polygon.dropped(),
             sides,
         })
     }
@@ -87,7 +81,7 @@ impl RoundedTriangle {
     /// t of (v), then the edges that the half-line from p′ crosses, as in Fig. 15.57. A flat ray, and one that
     /// passes an edge closely, is left to the polygon.
     #[inline]
-    pub(crate) fn test(&self, ray: &Ray, range: TRange) -> RoundedTest {
+    pub(super) fn test(&self, ray: &Ray, range: TRange) -> RoundedTest {
         if self.plane.is_flat(ray) {
             return RoundedTest::Unsettled;
         }
@@ -97,7 +91,7 @@ impl RoundedTriangle {
         let projected = self.dropped.drop_from(ray.at(t));
         let spread = ray.direction.abs().element_sum();
         let reach = ray.origin.abs().element_sum() + t * spread + self.plane.d.abs();
-        let margin = CLEAR * ROUNDING * reach + f64::from(self.slack);
+        let margin = CLEAR * OUTLINE_ROUNDING * reach + f64::from(self.slack);
         match clear_crossings(&self.outline.map(Vec2::as_dvec2), projected, margin) {
             Some(crossings) if crossings % 2 == 1 => RoundedTest::Hit(t),
             Some(_) => RoundedTest::Missed,

@@ -8,16 +8,17 @@
 
 use std::ops::{ControlFlow, Range};
 
-use crate::geometry::{Ray, RoundedTest, RoundedTriangle, Sides, Sphere, TRange};
+use crate::geometry::{Ray, Sides, Sphere, TRange};
 use crate::scene::{Primitive, PrimitiveId, Scene, Shape};
-use crate::strategy::object_test::test_sphere;
+use crate::strategy::fast::object_test::hit;
+use crate::strategy::fast::rounded_triangle::{RoundedTest, RoundedTriangle};
+use crate::strategy::fast::sphere;
 use crate::strategy::{Search, test_primitive};
-use crate::trace::{Off, Recorder};
+use crate::trace::Off;
 
 /// The objects of all leaves, or of all cells, one leaf after the other.
 #[derive(Clone, Debug)]
-pub(super) struct LeafOrder<'a> {
-    scene: &'a Scene,
+pub(in crate::strategy) struct LeafOrder {
     /// Empty in a scene without spheres: its objects are found by their ids alone.
     copies: Vec<Listed>,
     /// Empty for a grid, and in a scene of which half or less are polygons.
@@ -37,23 +38,22 @@ pub(super) enum Listed {
     InScene { id: PrimitiveId },
 }
 
-impl<'a> LeafOrder<'a> {
+impl LeafOrder {
     /// The objects of a scene in the order of a hierarchy's leaves.
-    pub(super) fn of_leaves(scene: &'a Scene, order: &[PrimitiveId]) -> Self {
+    pub(super) fn of_leaves(scene: &Scene, order: &[PrimitiveId]) -> Self {
         let is_polygon = |object: &&Primitive| matches!(object.shape, Shape::Polygon(_));
         let polygons = scene.primitives.iter().filter(is_polygon).count();
         if 2 * polygons <= scene.primitives.len() {
             return Self::of_cells(scene, order);
         }
         Self {
-            scene,
             copies: Vec::new(),
             triangles: order.iter().map(|&id| rounded(scene, id)).collect(),
         }
     }
 
     /// The objects of a scene in the order of a grid's lists.
-    pub(super) fn of_cells(scene: &'a Scene, order: &[PrimitiveId]) -> Self {
+    pub(super) fn of_cells(scene: &Scene, order: &[PrimitiveId]) -> Self {
         let is_sphere = |object: &Primitive| matches!(object.shape, Shape::Sphere(_));
         let copies = if scene.primitives.iter().any(is_sphere) {
             order.iter().map(|&id| Listed::new(scene, id)).collect()
@@ -61,7 +61,6 @@ impl<'a> LeafOrder<'a> {
             Vec::new()
         };
         Self {
-            scene,
             copies,
             triangles: Vec::new(),
         }
@@ -70,21 +69,20 @@ impl<'a> LeafOrder<'a> {
     /// Tests the objects in these places of `order`, which is the order that was given at first, and offers
     /// their hits.
     #[inline]
-    pub(super) fn test<R: Recorder>(
+    pub(super) fn test(
         &self,
+        scene: &Scene,
         order: &[PrimitiveId],
         places: Range<usize>,
         ray: &Ray,
         search: &mut impl Search,
-        recorder: &mut R,
     ) -> ControlFlow<()> {
-        // what is recorded is the whole test
-        if !R::ENABLED && !self.triangles.is_empty() {
-            return self.test_triangles(order, places, ray, search, recorder);
+        if !self.triangles.is_empty() {
+            return self.test_triangles(scene, order, places, ray, search);
         }
-        self.visit::<R>(order, places, ray, |object| {
-            match object.test(self.scene, ray, search.range(), recorder) {
-                Some(t) => search.offer(object.id(), t, recorder),
+        self.visit(order, places, ray, |object| {
+            match object.test(scene, ray, search.range()) {
+                Some(t) => search.offer(object.id(), t, &mut Off),
                 None => ControlFlow::Continue(()),
             }
         })
@@ -92,39 +90,31 @@ impl<'a> LeafOrder<'a> {
 
     /// The same by the copies of triangles.
     #[inline]
-    fn test_triangles<R: Recorder>(
+    fn test_triangles(
         &self,
+        scene: &Scene,
         order: &[PrimitiveId],
         places: Range<usize>,
         ray: &Ray,
         search: &mut impl Search,
-        recorder: &mut R,
     ) -> ControlFlow<()> {
         for place in places {
             let tested = match self.triangles[place].test(ray, search.range()) {
                 RoundedTest::Missed => continue,
                 RoundedTest::Hit(t) => Some(t),
-                RoundedTest::Unsettled => whole_test(self.scene, order[place], ray, search.range()),
+                RoundedTest::Unsettled => whole_test(scene, order[place], ray, search.range()),
             };
             if let Some(t) = tested {
-                search.offer(order[place], t, recorder)?;
+                search.offer(order[place], t, &mut Off)?;
             }
         }
         ControlFlow::Continue(())
     }
 
-    /// The scene that the objects are from.
+    /// Visits the objects in these places of `order`, which is the order that was given at first, but for those that
+    /// are clearly missed: nothing else that could be asked of them costs less.
     #[inline]
-    pub(super) fn scene(&self) -> &'a Scene {
-        self.scene
-    }
-
-    /// Visits the objects in these places of `order`, which is the order that was given at first.
-    ///
-    /// Where nobody follows, those that are clearly missed are left out: nothing else that could be asked of them
-    /// costs less. What is recorded is the whole test.
-    #[inline]
-    pub(super) fn visit<R: Recorder>(
+    pub(super) fn visit(
         &self,
         order: &[PrimitiveId],
         places: Range<usize>,
@@ -137,7 +127,7 @@ impl<'a> LeafOrder<'a> {
             }
         } else {
             for copy in &self.copies[places] {
-                if R::ENABLED || !copy.is_clearly_missed(ray) {
+                if !copy.is_clearly_missed(ray) {
                     visit(copy)?;
                 }
             }
@@ -193,25 +183,19 @@ impl Listed {
     #[inline]
     fn is_clearly_missed(&self, ray: &Ray) -> bool {
         match self {
-            Self::Sphere { sphere, .. } => sphere.is_clearly_missed(ray),
+            Self::Sphere { sphere: of, .. } => sphere::is_clearly_missed(of, ray),
             Self::InScene { .. } => false,
         }
     }
 
     /// Where does the ray meet the object, if it does so in the range? As [`test_primitive`] says.
     #[inline]
-    pub(super) fn test<R: Recorder>(
-        &self,
-        scene: &Scene,
-        ray: &Ray,
-        range: TRange,
-        recorder: &mut R,
-    ) -> Option<f64> {
+    pub(super) fn test(&self, scene: &Scene, ray: &Ray, range: TRange) -> Option<f64> {
         match self {
-            Self::Sphere { id, sides, sphere } => {
-                test_sphere(*id, sphere, *sides, ray, range, recorder)
-            }
-            Self::InScene { id } => test_primitive(*id, scene.primitive(*id), ray, range, recorder),
+            Self::Sphere {
+                sides, sphere: of, ..
+            } => sphere::hit(of, ray, range, *sides),
+            Self::InScene { id } => hit(*id, scene.primitive(*id), ray, range),
         }
     }
 }

@@ -1,7 +1,7 @@
 //! The walk of a ray along one axis of a grid: from plane to plane, always one way.
 
-use crate::structure::one_way::OneWay;
-use crate::structure::ray_order::Meeting;
+use crate::strategy::fast::grid::one_way::OneWay;
+use crate::structure::Meeting;
 
 /// A walk along one axis.
 #[derive(Clone, Copy, Debug, Default)]
