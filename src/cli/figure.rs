@@ -84,6 +84,24 @@ pub(crate) fn run(args: &FigureArgs) -> Result<(), Error> {
         Source::Log(log) => read_log(log)?,
         Source::Scene(loaded) => lesson.trace_loaded(&args.name.figure, spec, *loaded)?,
     };
+    let (width, rendition) = args.drawing.rendition();
+    let draw = |up_to| {
+        let rendition = Rendition { up_to, ..rendition };
+        drawn(lesson, spec, &args.name, &traced, (width, rendition))
+    };
+    let whole = draw(args.step)?;
+    let mut drawings = Vec::new();
+    if args.steps {
+        let files = numbered(&args.output, whole.steps.len())?;
+        for (file, step) in files.into_iter().zip(&whole.steps) {
+            taken.refuse(&file)?;
+            drawings.push((file, write(&draw(Some(*step))?.svg)?));
+        }
+    } else {
+        drawings.push((args.output.clone(), write(&whole.svg)?));
+    }
+
+    // nothing is written before all is drawn and every name is known to be free
     if let Some(path) = &args.write_log {
         let mut log = Output::create(path, &Taken::nothing())?;
         for traced in &traced {
@@ -91,27 +109,8 @@ pub(crate) fn run(args: &FigureArgs) -> Result<(), Error> {
         }
         log.finish()?;
     }
-
-    let (width, rendition) = args.drawing.rendition();
-    let draw = |up_to| {
-        let rendition = Rendition { up_to, ..rendition };
-        drawn(lesson, spec, &args.name, &traced, (width, rendition))
-    };
-    let whole = draw(args.step)?;
-    if !args.steps {
-        return Output::create(&args.output, &taken)?.write_whole(&write(&whole.svg)?);
-    }
-    let steps = &whole.steps;
-    let files = numbered(&args.output, steps.len())?;
-    for file in &files {
-        taken.refuse(file)?;
-    }
-    let mut drawings = Vec::with_capacity(steps.len());
-    for step in steps {
-        drawings.push(write(&draw(Some(*step))?.svg)?);
-    }
-    for (file, drawing) in files.iter().zip(drawings) {
-        Output::create(file, &taken)?.write_whole(&drawing)?;
+    for (file, drawing) in drawings {
+        Output::create(&file, &taken)?.write_whole(&drawing)?;
     }
     Ok(())
 }

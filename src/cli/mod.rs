@@ -67,6 +67,6 @@ fn parse(arguments: &[OsString]) -> Result<Args, Error> {
     let parsed = matches(arguments).and_then(|matches| Args::from_arg_matches(&matches));
     parsed.map_err(|error| {
         let makes_sense = |words: &[OsString]| matches(words).is_ok();
-        Error::Usage(one_word::with_tip(error, arguments, makes_sense))
+        Error::from(one_word::with_tip(error, arguments, makes_sense))
     })
 }
