@@ -140,3 +140,47 @@ fn each_figure_of_the_index_is_in_its_lesson() {
     }
     assert_eq!(without, WITHOUT_FIGURE, "subjects without a figure");
 }
+
+/// What students search for: the field's words beside the slides' own.
+const FIELD_WORDS: [&str; 24] = [
+    "AABB",
+    "BRDF",
+    "BVH",
+    "DDA",
+    "HIER_traverse",
+    "Phong reflection model",
+    "Russian roulette",
+    "SAH",
+    "Snell law",
+    "Whitted ray tracing",
+    "bidirectional path tracing",
+    "bounding volume",
+    "bounding volume hierarchy",
+    "light tracing",
+    "path tracing",
+    "pdf",
+    "photon map",
+    "photon mapping",
+    "pinhole camera",
+    "ray casting",
+    "shadow acne",
+    "shadow ray",
+    "traversal",
+    "uniform grid",
+];
+
+#[test]
+fn each_word_of_the_field_finds_an_item_in_the_documentation() {
+    let files = sources(&root().join("src"));
+    let texts: Vec<String> = files
+        .iter()
+        .map(|path| fs::read_to_string(path).unwrap())
+        .collect();
+    for word in FIELD_WORDS {
+        let alias = format!("#[doc(alias = \"{word}\")]");
+        assert!(
+            texts.iter().any(|text| text.contains(&alias)),
+            "no item has the alias {word}"
+        );
+    }
+}

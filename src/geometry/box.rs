@@ -6,6 +6,8 @@ use crate::geometry::root::{hidden_side, judged, two_roots};
 use crate::geometry::{Ray, Roots, Sides, SlabInterval, SlabRay, TRange};
 
 /// min ≤ (x, y, z) ≤ max, in each coordinate.
+#[doc(alias = "AABB")]
+#[doc(alias = "bounding box")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AxisBox {
     /// The smallest coordinates, in world coordinates.

@@ -14,6 +14,7 @@ use glam::DVec3;
 /// let down = DVec3::new(3.0, -4.0, 0.0);
 /// assert_eq!(raystep::reflect(down, DVec3::Y), DVec3::new(3.0, 4.0, 0.0));
 /// ```
+#[doc(alias = "mirror direction")]
 #[inline]
 pub fn reflect(direction: DVec3, normal: DVec3) -> DVec3 {
     direction - 2.0 * direction.dot(normal) * normal

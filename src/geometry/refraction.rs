@@ -43,6 +43,7 @@ impl Refraction {
 /// let direction = passed.direction.unwrap();
 /// assert!((direction - DVec3::new(0.5, -0.75f64.sqrt(), 0.0)).length() < 1e-15);
 /// ```
+#[doc(alias = "Snell law")]
 #[inline]
 pub fn refract(direction: DVec3, normal: DVec3, index_from: f64, index_to: f64) -> Refraction {
     let eta = index_from / index_to;

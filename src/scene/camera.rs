@@ -11,6 +11,8 @@ use crate::scene::fault::{Fault, MOST_PIXELS, SceneFault};
 use crate::scene::file::{CameraFile, LookAt, Window};
 
 /// The eye and the window.
+#[doc(alias = "pinhole camera")]
+#[doc(alias = "eye point")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Camera {
     /// The centre of projection, in world coordinates.

@@ -142,6 +142,8 @@ pub struct LightFile {
 }
 
 /// What a surface does with light. Coefficients that are absent are 0, the index 1.
+#[doc(alias = "BRDF")]
+#[doc(alias = "BSDF")]
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, serde::Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Material {

@@ -55,6 +55,8 @@ impl Light {
     ///
     /// `normal` N and `to_viewer` V have unit length; N is on the viewer's side. Where N·L ≤ 0 the
     /// light stands behind the surface and both terms are 0.
+    #[doc(alias = "Phong reflection model")]
+    #[doc(alias = "Lambertian reflection")]
     pub fn phong(
         &self,
         material: &Material,

@@ -17,6 +17,8 @@ use crate::structure::{Build, Link, SlabSet, range};
 use crate::trace::{Event, NodeOutcome, QueueAction, QueueStep, Recorder};
 
 /// Visits a hierarchy in the order of the estimated distance.
+#[doc(alias = "BVH traversal")]
+#[doc(alias = "priority queue")]
 #[derive(Clone, Debug)]
 pub struct HeapOrdered<'a, const N: usize> {
     pub(super) nodes: Nodes<'a, N>,

@@ -18,6 +18,9 @@ use crate::structure::{Build, Hierarchy, Link, SlabSet, range};
 use crate::trace::{NodeOutcome, Recorder};
 
 /// Visits a hierarchy from the root down, the nearest child first.
+#[doc(alias = "BVH traversal")]
+#[doc(alias = "traversal")]
+#[doc(alias = "HIER_traverse")]
 #[derive(Clone, Debug)]
 pub struct DepthFirst<'a, const N: usize> {
     pub(super) nodes: Nodes<'a, N>,

@@ -82,6 +82,9 @@ pub struct AssignStep {
 }
 
 /// A grid over a scene: the cells, and what lies in each.
+#[doc(alias = "uniform grid")]
+#[doc(alias = "spatial partitioning")]
+#[doc(alias = "voxel grid")]
 #[derive(Clone, Debug)]
 pub struct Grid {
     cells: CellPlanes,

@@ -24,6 +24,10 @@ use crate::structure::ray_order::Meeting;
 use crate::structure::{Across, CellStep};
 
 /// A walk through a grid; an iterator over the cells that the ray pierces.
+#[doc(alias = "DDA")]
+#[doc(alias = "3DDDA")]
+#[doc(alias = "voxel traversal")]
+#[doc(alias = "grid traversal")]
 #[derive(Clone, Debug)]
 pub struct GridWalk<'g> {
     cells: &'g CellPlanes,

@@ -16,6 +16,8 @@ use crate::structure::{RaySlabs, SlabBound, SlabSet, room};
 #[derive(
     Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema, clap::ValueEnum,
 )]
+#[doc(alias = "BVH construction")]
+#[doc(alias = "SAH")]
 #[serde(rename_all = "kebab-case")]
 pub enum Build {
     /// From the objects upwards, the nearest two volumes joined each time, as the slides say.
@@ -79,6 +81,8 @@ pub(super) struct Topology<const N: usize> {
 }
 
 /// A hierarchy over the objects of a scene, with N slabs to a bound.
+#[doc(alias = "BVH")]
+#[doc(alias = "bounding volume hierarchy")]
 #[derive(Clone, Debug)]
 pub struct Hierarchy<const N: usize> {
     set: SlabSet<N>,

@@ -16,6 +16,8 @@ use crate::structure::extremes::{larger, smaller};
 use crate::structure::{Inside, RaySlabs, SlabSet, SlabStep, extent};
 
 /// D_min and D_max of each slab. A, B and C are those of the structure's [`SlabSet`].
+#[doc(alias = "k-DOP")]
+#[doc(alias = "bounding volume")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SlabBound<const N: usize> {
     /// D_min for each direction of the set: minus the furthest place along the normal.

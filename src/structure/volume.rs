@@ -32,6 +32,7 @@ pub enum VolumeKind {
 }
 
 /// A volume around an object, as the object has it: room for rounding comes with a [`VolumeRay`].
+#[doc(alias = "bounding volume")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Volume<const N: usize = MOST_SLABS> {
     /// The smallest sphere.

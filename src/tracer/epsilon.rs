@@ -22,6 +22,9 @@ const SURFACE: f64 = 1e-13;
 ///
 /// `reach` is the surface's largest coordinate or radius
 /// ([`Shape::reach`](crate::scene::Shape::reach)). ε scales with the scene.
+#[doc(alias = "shadow acne")]
+#[doc(alias = "shadow bias")]
+#[doc(alias = "t_min")]
 pub fn start_epsilon(point: DVec3, t: f64, reach: f64) -> f64 {
     let numbers = point.abs().max_element().max(t);
     (EPSILON * numbers).max(SURFACE * reach)

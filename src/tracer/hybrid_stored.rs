@@ -49,6 +49,8 @@ impl Placed for StoredPhoton {
 const FACES_ALIKE: f64 = 0.5;
 
 /// The light that is stored on the surfaces of a scene.
+#[doc(alias = "photon map")]
+#[doc(alias = "photon mapping")]
 #[derive(Clone, Debug)]
 pub struct StoredLight {
     nearest: usize,

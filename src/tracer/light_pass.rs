@@ -23,6 +23,10 @@ pub(super) const PIECE: u64 = 1024;
 const PIECES: u64 = 64;
 
 /// What the paths of light have left.
+#[doc(alias = "light tracing")]
+#[doc(alias = "pdf")]
+#[doc(alias = "Russian roulette")]
+#[doc(alias = "particle tracing")]
 #[derive(Clone, Debug)]
 pub struct LightPass {
     pub(super) options: LightOptions,

@@ -40,6 +40,7 @@ impl Picture {
 /// # Errors
 /// A recorder that has enough, or more rays than [`Tracer::max_rays`]: of the first such pixel from the top left,
 /// on any number of threads.
+#[doc(alias = "ray casting")]
 pub fn render<S: Strategy, R: Recorder + Default + Send>(
     tracer: &Tracer<'_, S>,
     through: Through,

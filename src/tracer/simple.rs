@@ -164,6 +164,7 @@ pub fn shade<P: Parts>(scene: &Scene, parts: &P, surface: &Surface<'_>) -> DVec3
 }
 
 /// Does an object stand between the ray's origin and the end of the range? Every object casts a full shadow.
+#[doc(alias = "shadow ray")]
 pub fn blocked<P: Parts>(scene: &Scene, parts: &P, ray: &Ray, range: TRange) -> bool {
     let mut objects = scene.primitives.iter();
     objects.any(|primitive| parts.hit(primitive, ray, range).is_some())

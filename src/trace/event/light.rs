@@ -34,6 +34,7 @@ impl Connection {
 ///
 /// The cosines are those between the line and the surfaces' normals, 1 for a point without a normal. Two points in
 /// one place have no line between them: 0.
+#[doc(alias = "geometry factor")]
 pub fn geometry_term(from: DVec3, to: DVec3, [cos_from, cos_to]: [f64; 2]) -> f64 {
     let distance_squared = from.distance_squared(to);
     if distance_squared == 0.0 {

@@ -102,15 +102,23 @@ pub enum StrategyName {
 #[serde(rename_all = "kebab-case")]
 pub enum Transport {
     /// From the eye alone; no rays to lights, so no shadows.
+    #[doc(alias = "ray casting")]
     Backward,
     /// From the eye, with a ray to each light from each point.
+    #[doc(alias = "Whitted ray tracing")]
     #[default]
     HybridLight,
     /// From the lights alone; what passes the window into the eye makes the picture.
+    #[doc(alias = "light tracing")]
+    #[doc(alias = "particle tracing")]
     Forward,
     /// From the lights, stored on the surfaces; then from the eye, gathering what is stored.
+    #[doc(alias = "photon mapping")]
     HybridStored,
     /// From the lights and from the eye; lines connect the two.
+    #[doc(alias = "bidirectional path tracing")]
+    #[doc(alias = "BDPT")]
+    #[doc(alias = "path tracing")]
     HybridConnected,
 }
 
