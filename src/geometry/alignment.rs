@@ -184,4 +184,53 @@ mod tests {
         assert_eq!([ray.frame.x, ray.frame.y, ray.frame.z], DVec3::AXES);
         assert_eq!(ray.in_frame().direction, DVec3::ZERO);
     }
+
+    /// From (1, 0, 0) along (0.6, 0, 0.8): x′ = y, y′ = −0.8(x − 1) + 0.6z, z′ = 0.6(x − 1) + 0.8z.
+    fn slanted() -> Alignment {
+        Alignment::of(&Ray::new(DVec3::X, DVec3::new(0.6, 0.0, 0.8)))
+    }
+
+    #[test]
+    fn a_point_is_moved_and_turned_and_brought_back() {
+        let inside = slanted().point(DVec3::new(4.0, 7.0, 4.0));
+        assert!((inside - DVec3::new(7.0, 0.0, 5.0)).length() <= 1e-14);
+        // (1, 0, 0) + 7·(0, 1, 0) + 10·(−0.8, 0, 0.6) + 5·(0.6, 0, 0.8)
+        let back = slanted().back(DVec3::new(7.0, 10.0, 5.0));
+        assert!((back - DVec3::new(-4.0, 7.0, 10.0)).length() <= 1e-14);
+    }
+
+    #[test]
+    fn the_rows_of_an_oblique_frame_are_of_unit_length_at_right_angles_and_right_handed() {
+        // 0.48² + 0.6² + 0.64² = 1
+        for direction in [[0.48, 0.6, 0.64], [-0.64, 0.48, -0.6], [0.6, -0.64, 0.48]] {
+            let frame = Alignment::of(&Ray::new(DVec3::ZERO, direction.into()));
+            for row in [frame.x, frame.y, frame.z] {
+                assert!((row.length() - 1.0).abs() <= 1e-15, "{frame:?}");
+            }
+            assert!((frame.x.cross(frame.y) - frame.z).length() <= 1e-15);
+            assert!((frame.y.cross(frame.z) - frame.x).length() <= 1e-15);
+        }
+    }
+
+    #[test]
+    fn a_direction_within_the_rounding_of_unit_length_is_taken_as_it_is() {
+        // (1 + 4ε)² is 1 + 8ε, just within 8ε; (1 + 5ε)² is 1 + 10ε
+        for (off, length, row) in [
+            (4.0, 1.0, 1.0 + 4.0 * f64::EPSILON),
+            (5.0, 1.0 + 5.0 * f64::EPSILON, 1.0),
+        ] {
+            let direction = (1.0 + off * f64::EPSILON) * DVec3::X;
+            let ray = AlignedRay::new(&Ray::new(DVec3::ZERO, direction));
+            assert_eq!((ray.length, ray.frame.z.x), (length, row));
+        }
+    }
+
+    #[test]
+    fn a_zero_of_the_direction_gives_no_row_its_sign() {
+        let frame = Alignment::of(&Ray::new(DVec3::ZERO, DVec3::new(-0.0, 0.0, 1.0)));
+        for row in [frame.x, frame.y, frame.z] {
+            let signed = row.to_array().iter().any(|v| v.to_bits() == 1 << 63);
+            assert!(!signed, "{frame:?}");
+        }
+    }
 }

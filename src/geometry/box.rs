@@ -160,4 +160,11 @@ mod tests {
         assert_eq!(CUBE.normal(DVec3::new(2.9, 0.5, 0.0)), -DVec3::Z);
         assert_eq!(CUBE.normal(CUBE.max), DVec3::X);
     }
+
+    #[test]
+    fn on_an_edge_the_normal_is_that_of_the_first_face() {
+        assert_eq!(CUBE.normal(DVec3::new(2.0, 1.0, 1.0)), DVec3::Y);
+        assert_eq!(CUBE.normal(DVec3::new(2.0, 0.0, 1.0)), -DVec3::Y);
+        assert_eq!(CUBE.normal(DVec3::new(1.0, 0.5, 1.0)), -DVec3::X);
+    }
 }

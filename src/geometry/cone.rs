@@ -321,4 +321,112 @@ mod tests {
         assert_eq!(Cone::new(DVec3::ZERO, 0.0, DVec3::Y, 0.0), None);
         assert_eq!(Cone::new(DVec3::ZERO, -1.0, DVec3::Y, 1.0), None);
     }
+
+    /// Radius 3 at (1, 2, 3), tip 4 above: k = −¾, a 3-4-5 cone.
+    fn three_four_five() -> Cone {
+        Cone::new(
+            DVec3::new(1.0, 2.0, 3.0),
+            3.0,
+            DVec3::new(1.0, 6.0, 3.0),
+            0.0,
+        )
+        .unwrap()
+    }
+
+    #[test]
+    fn the_coefficients_of_a_slanted_ray_count_from_the_base() {
+        // radius 2 at y = 2, tip at y = 4, k = −1. m = (−4, 1, 1): m⊥ = (−4, 0, 1), R = 2 − 1 = 1;
+        // Δ = (2, 1, 0): Δ⊥ = (2, 0, 0), k(Δ·w) = −1
+        let base = DVec3::new(1.0, 2.0, 3.0);
+        let cone = Cone::new(base, 2.0, DVec3::new(1.0, 4.0, 3.0), 0.0).unwrap();
+        assert_eq!(
+            (cone.axis(), cone.height(), cone.slope()),
+            (DVec3::Y, 2.0, -1.0)
+        );
+        let ray = Ray::new(DVec3::new(-3.0, 3.0, 4.0), DVec3::new(2.0, 1.0, 0.0));
+        let test = cone.test(&ray, TRange::FORWARD, Sides::Both);
+        // 4 − 1, 2[−8 + 1], 17 − 1, 4(|(2, 0, 0) + (−4, 0, 1)|² − |(0, −2, 0)|²) = 4(5 − 4) = 14² − 4·3·16
+        assert_eq!((test.a, test.b, test.c), (3.0, -14.0, 16.0));
+        assert_eq!(test.discriminant, 4.0);
+        // the same cone and a ray of another length beside it: 4(|R·Δ⊥ − …|² − …) goes with |Δ|²
+        let longer = Ray::new(ray.origin, 4.0 * ray.direction);
+        let test = cone.test(&longer, TRange::FORWARD, Sides::Both);
+        assert_eq!(
+            (test.a, test.b, test.c, test.discriminant),
+            (48.0, -56.0, 16.0, 64.0)
+        );
+        // at (2, 3, 3) the radius is 1, and the normal leans towards the tip as far as outwards
+        let normal = cone.normal(DVec3::new(2.0, 3.0, 3.0));
+        assert!((normal - DVec3::new(1.0, 1.0, 0.0) / 2f64.sqrt()).length() <= 1e-15);
+    }
+
+    #[test]
+    fn both_circles_belong_to_the_surface() {
+        let roots = [(4.0, Fate::Chosen), (6.0, Fate::BeyondNearest)];
+        for y in [0.0, 2.0] {
+            check(cylinder(), [-5.0, y, 0.0], [1.0, 0.0, 0.0], &roots);
+        }
+        let beyond = roots.map(|(t, _)| (t, Fate::BeyondEnds));
+        for y in [-f64::EPSILON, 2.0 + 2.0 * f64::EPSILON] {
+            check(cylinder(), [-5.0, y, 0.0], [1.0, 0.0, 0.0], &beyond);
+        }
+    }
+
+    #[test]
+    fn a_graze_is_measured_by_the_size_of_the_cone() {
+        // across a cylinder of radius r, at z = r(1 − nε): 4(r² − z²) = 8nε·r², and 4ε·4r² is a graze
+        let radius = 1024.0;
+        let wide = Cone::new(DVec3::ZERO, radius, DVec3::Y, radius).unwrap();
+        for (n, grazes) in [(1.0, true), (2.0, true), (3.0, false)] {
+            let origin = DVec3::new(-9.0, 0.5, radius * (1.0 - n * f64::EPSILON));
+            let ray = Ray::new(origin, DVec3::X);
+            let roots = wide.test(&ray, TRange::FORWARD, Sides::Both).roots;
+            assert_eq!(matches!(roots, Roots::Graze(_)), grazes, "{n}: {roots:?}");
+        }
+    }
+
+    #[test]
+    fn a_counts_as_0_within_32_eps_of_the_terms_that_it_is_the_difference_of() {
+        // |Δ|(|Δ⊥| + k²|Δ·w|) = 5(3 + 4·9/16) = 26¼, and 32·26¼ = 840
+        let ray = Ray::new(DVec3::ZERO, DVec3::new(-3.0, 4.0, 0.0));
+        let is_along = |a: f64| three_four_five().is_along_a_generator(&ray, a * f64::EPSILON);
+        assert!(is_along(840.0) && is_along(-840.0));
+        assert!(!is_along(841.0) && !is_along(-841.0));
+        // straight across a cylinder: 1·(1 + 0)
+        let across = Ray::new(DVec3::ZERO, DVec3::X);
+        let is_along = |a: f64| cylinder().is_along_a_generator(&across, a * f64::EPSILON);
+        assert!(is_along(32.0) && !is_along(33.0));
+    }
+
+    #[test]
+    fn b_of_the_linear_equation_counts_as_0_within_64_eps_of_its_terms() {
+        // 5 from the base: |Δ|(|m| + |k|(r_base + |k||m|)) = 5(5 + ¾(3 + 15/4)) = 805/16, and 64·805/16 = 3220
+        let ray = Ray::new(DVec3::new(1.0, 2.0, 8.0), DVec3::new(-3.0, 4.0, 0.0));
+        let linear = |b: f64| three_four_five().linear(&ray, b, 7.0);
+        for (b, expected) in [(3220.0, 0.0), (-3220.0, 0.0), (3221.0, 3221.0)] {
+            let [b, expected] = [b, expected].map(|b| b * f64::EPSILON);
+            assert_eq!(linear(b).b, expected, "{b}");
+        }
+        let plain = linear(3.0);
+        assert_eq!((plain.a, plain.b, plain.c), (0.0, 3.0, 7.0));
+        assert_eq!((plain.discriminant, plain.scale), (9.0, 9.0));
+    }
+
+    #[test]
+    fn the_one_root_of_a_generator_enters_where_the_ray_comes_from_outside() {
+        // as above from (−3, 2, 0), to t = 1.5 on the outside
+        let ray = Ray::new(DVec3::new(-3.0, 2.0, 0.0), DVec3::new(1.0, -1.0, 0.0));
+        let root = |sides| tip().test(&ray, TRange::FORWARD, sides).roots;
+        let expected = |fate| Roots::Linear(Root { t: 1.5, fate });
+        assert_eq!(root(Sides::Front), expected(Fate::Chosen));
+        assert_eq!(root(Sides::Back), expected(Fate::FrontFace));
+    }
+
+    #[test]
+    fn a_radius_of_0_makes_a_tip_at_either_end_and_none_is_negative() {
+        assert!(Cone::new(DVec3::ZERO, 0.0, DVec3::Y, 1.0).is_some());
+        assert!(Cone::new(DVec3::ZERO, 1.0, DVec3::Y, 0.0).is_some());
+        assert_eq!(Cone::new(DVec3::ZERO, 1.0, DVec3::Y, -0.5), None);
+        assert_eq!(Cone::new(DVec3::ZERO, -0.5, DVec3::Y, 1.0), None);
+    }
 }

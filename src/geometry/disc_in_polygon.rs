@@ -133,4 +133,14 @@ mod tests {
         check(1.0, &[DVec2::X, DVec2::Y], 0.0);
         check(1.0, &[DVec2::X; 4], 0.0);
     }
+
+    #[test]
+    fn a_triangle_with_its_corner_in_the_middle_takes_its_angle_of_the_disc() {
+        // 45° of 360°: π·2²/8
+        check(
+            2.0,
+            &[DVec2::ZERO, DVec2::new(9.0, 0.0), DVec2::new(9.0, 9.0)],
+            PI / 2.0,
+        );
+    }
 }

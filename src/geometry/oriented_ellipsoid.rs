@@ -157,4 +157,14 @@ mod tests {
         // (4/3)π·8
         assert!((TURNED.volume() - 33.510_321_638_291_124).abs() <= 1e-13);
     }
+
+    #[test]
+    fn room_widens_the_smallest_half_axis_by_itself_and_the_others_by_their_share() {
+        // ⅛ on 2 is a sixteenth: 4·17/16, 2·17/16, 8·17/16
+        let larger = OrientedEllipsoid {
+            radii: 2.0 * TURNED.radii,
+            ..TURNED
+        };
+        assert_eq!(larger.widened(0.125).radii, DVec3::new(4.25, 2.125, 8.5));
+    }
 }

@@ -362,4 +362,78 @@ mod tests {
         assert_eq!(Axis::Y.drop_from(p), DVec2::new(1.0, 3.0));
         assert_eq!(Axis::Z.drop_from(p), DVec2::new(1.0, 2.0));
     }
+
+    #[test]
+    fn the_first_of_equals_chooses_the_axis() {
+        assert_eq!(Axis::of_largest(DVec3::new(1.0, -2.0, 2.0)), Axis::Y);
+        assert_eq!(Axis::of_largest(DVec3::new(2.0, 1.0, -2.0)), Axis::X);
+        for (v, axis) in [
+            ([1.0, 1.0, 1.0], Axis::X),
+            ([1.0, -1.0, 2.0], Axis::X),
+            ([-1.0, 2.0, 1.0], Axis::X),
+            ([2.0, 1.0, -1.0], Axis::Y),
+            ([3.0, 2.0, 1.0], Axis::Z),
+        ] {
+            assert_eq!(Axis::of_smallest(v.into()), axis, "{v:?}");
+        }
+    }
+
+    #[test]
+    fn a_ray_is_flat_up_to_a_64th_of_the_size_of_its_direction() {
+        // 1 against (63 + 1)/64 and (62 + 1)/64
+        for (along, flat) in [(63.0, true), (62.0, false)] {
+            let ray = Ray::new(DVec3::ZERO, DVec3::new(along, -1.0, 0.0));
+            assert_eq!(FLOOR.is_flat(&ray), flat, "{along}");
+        }
+    }
+
+    #[test]
+    fn parallel_and_within_are_measured_by_the_terms_at_every_length_of_the_ray() {
+        // 0.6x + 0.8y = 5, through (3, 4, 0) and along (0.8, −0.6, 0)
+        let slanted = Plane {
+            normal: DVec3::new(0.6, 0.8, 0.0),
+            d: -5.0,
+        };
+        let verdict = |up: f64, turn: f64, length: f64| {
+            let origin = DVec3::new(3.0, 4.0 + up, 0.0);
+            let direction = length * DVec3::new(0.8, -0.6 + turn, 0.0);
+            slanted
+                .test(&Ray::new(origin, direction), TRange::FORWARD, Sides::Both)
+                .verdict
+        };
+        // ε = 2⁻⁵²; the terms of the denominator are 0.48 + 0.48, and 4ε·0.96 lies between 0.8·4ε and 0.8·8ε;
+        // those of the numerator are 1.8 + 3.2 + 5, and 4ε·10 lies between 0.8·16ε and 0.8·64ε
+        let eps = f64::EPSILON;
+        for length in [1.0, 2.0_f64.powi(30), 2.0_f64.powi(-30)] {
+            assert_eq!(
+                verdict(16.0 * eps, 4.0 * eps, length),
+                PlaneVerdict::ParallelWithin
+            );
+            assert_eq!(
+                verdict(64.0 * eps, 4.0 * eps, length),
+                PlaneVerdict::ParallelBeside
+            );
+            assert!(matches!(
+                verdict(0.0, 8.0 * eps, length),
+                PlaneVerdict::Meets(_)
+            ));
+        }
+    }
+
+    #[test]
+    fn an_area_within_the_rounding_of_far_off_coordinates_is_none() {
+        // size 1 at x = 1023: 16ε·1·(1 + 1023) = 2⁻³⁸ for twice the area
+        let height = 2.0_f64.powi(-38);
+        let sliver = |height| {
+            [
+                [1023.0, 0.0, 0.0],
+                [1024.0, 0.0, 0.0],
+                [1023.0, height, 0.0],
+            ]
+            .map(DVec3::from)
+        };
+        assert_eq!(Plane::newell(&sliver(height)), None);
+        let plane = Plane::newell(&sliver(2.0 * height)).unwrap();
+        assert_eq!((plane.normal, plane.d), (DVec3::Z, 0.0));
+    }
 }

@@ -440,4 +440,120 @@ mod tests {
         let takers = fan.iter().filter(|p| at(p, 0.0, 0.0).inside).count();
         assert_eq!(takers, 1);
     }
+
+    #[test]
+    fn the_blur_adds_the_roundings_of_t_of_the_point_and_of_the_plane() {
+        // ε of 32(|o| + |t||Δ| + |D|) + 8·17, the last for the vertex (6, 6, 5): 32(3 + 5 + 5) + 136 = 552
+        let (u, eps) = (u_shape(), f64::EPSILON);
+        let upright = Ray::new(DVec3::new(1.0, 2.0, 0.0), DVec3::new(0.0, 0.0, 2.0));
+        assert_eq!(u.blur(&upright, 2.5), 552.0 * eps);
+        assert_eq!(u.margin(&upright, 2.5), 4.0 * 64.0 * 552.0 * eps);
+        // (3, 0, 1) has |Δ| = 4 for 1 along the normal: 32(3 + 20 + 5) + 136, four times
+        let slanted = Ray::new(DVec3::new(1.0, 2.0, 0.0), DVec3::new(3.0, 0.0, 1.0));
+        assert_eq!(u.blur(&slanted, 5.0), 4.0 * 1032.0 * eps);
+    }
+
+    #[test]
+    fn within_the_blur_of_an_edge_the_point_does_not_decide() {
+        let near = |polygon: &Polygon, index, (x, y), blur| {
+            polygon
+                .edge_by_point(index, DVec2::new(x, y), blur)
+                .is_none()
+        };
+        // the bottom from (0, 0) to (6, 0), the right side from (6, 0) to (6, 6), ¼ around them
+        let u = u_shape();
+        for (index, p, uncertain) in [
+            (0, (3.0, 0.25), true),
+            (0, (3.0, -0.25), true),
+            (0, (3.0, 0.26), false),
+            (0, (-0.25, 0.0), true),
+            (0, (6.25, 0.0), true),
+            (0, (-0.26, 0.0), false),
+            (0, (6.26, 0.0), false),
+            (1, (6.0, -0.25), true),
+            (1, (6.0, 6.25), true),
+            (1, (6.1, -0.26), false),
+            (1, (6.1, 6.26), false),
+        ] {
+            assert_eq!(near(&u, index, p, 0.25), uncertain, "{p:?}");
+        }
+        // (0, 0) to (4, 2): side is 4·y − 2·x, and ¼ allows (4 + 2)/4
+        let slanted = polygon(&[(0.0, 0.0), (4.0, 2.0), (0.0, 4.0)]);
+        assert!(near(&slanted, 0, (2.0, 1.375), 0.25));
+        assert!(!near(&slanted, 0, (2.0, 1.385), 0.25));
+    }
+
+    #[test]
+    fn on_an_edge_without_blur_only_the_rounding_of_its_side_is_in_doubt() {
+        let near =
+            |polygon: &Polygon, (x, y)| polygon.edge_by_point(0, DVec2::new(x, y), 0.0).is_none();
+        assert!(near(&u_shape(), (0.0, 0.0)));
+        // from (1, 2) by (3000, 1000): both terms of side are 3·10⁵ at (301, 102), and 16ε·6·10⁵ is 2.1·10⁻⁹
+        let long = polygon(&[(1.0, 2.0), (3001.0, 1002.0), (1.0, 4002.0)]);
+        assert!(near(&long, (301.0, 102.0)));
+        assert!(near(&long, (301.0, 102.0 + 5e-13)));
+        assert!(!near(&long, (301.0, 102.0 + 1e-12)));
+        assert!(!near(&long, (301.0, 900.0)));
+        // 0.1·3 − 0.3·1 leaves a rounding of 5.6·10⁻¹⁷
+        let short = polygon(&[(0.0, 0.0), (3.0, 1.0), (0.0, 4.0)]);
+        assert!(near(&short, (0.3, 0.1)));
+        assert!(!near(&short, (0.3, 0.1 + 1e-14)));
+        // the terms count from the first end: 3·2⁻⁴⁰ is far beyond 16ε·1.5, and within 16ε·2000
+        let far_off = polygon(&[(1000.0, 1000.0), (1003.0, 1001.0), (1000.0, 1004.0)]);
+        assert!(near(&far_off, (1000.75, 1000.25)));
+        assert!(!near(&far_off, (1000.75, 1000.25 + 0.5_f64.powi(40))));
+    }
+
+    #[test]
+    fn a_flat_ray_is_in_doubt_twice_as_far_from_an_edge() {
+        let u = u_shape();
+        let upright = Ray::new(DVec3::new(3.0, 1.0, 0.0), DVec3::Z);
+        let flat = Ray::new(DVec3::new(3.0, 1.0, 0.0), DVec3::new(1.0, 0.0, 1.0 / 128.0));
+        // so many blurs below the bottom
+        for (ray, blurs, decided_by) in [
+            (upright, 0.5, DecidedBy::Ray),
+            (upright, 1.5, DecidedBy::Point),
+            (flat, 1.5, DecidedBy::Ray),
+            (flat, 2.5, DecidedBy::Point),
+        ] {
+            let p = DVec2::new(3.0, -blurs * u.blur(&ray, 5.0));
+            assert_eq!(
+                u.crossings_near_an_edge(&ray, 5.0, p).1,
+                decided_by,
+                "{blurs}"
+            );
+        }
+    }
+
+    #[test]
+    fn a_ray_exactly_through_an_edge_or_a_corner_is_taken_by_the_side_that_the_rule_names() {
+        // Along z the shortest axis is x. The half-plane sweeps towards +x, and an edge in it counts, as if the
+        // ray had been shifted to −x; a vertex in it lies above it, which along z is towards −y, as if to +y.
+        let square =
+            |x: f64, y: f64| polygon(&[(x, y), (x + 1.0, y), (x + 1.0, y + 1.0), (x, y + 1.0)]);
+        for (x, y, takes) in [
+            (0.0, 0.0, false),
+            (-1.0, 0.0, true),
+            (-1.0, -1.0, false),
+            (0.0, -1.0, false),
+        ] {
+            let test = at(&square(x, y), 0.0, 0.0);
+            assert_eq!(
+                (test.inside, test.decided_by),
+                (takes, DecidedBy::Ray),
+                "({x}, {y})"
+            );
+        }
+        assert!(at(&square(-1.0, 0.0), 0.0, 0.5).inside);
+        // both sides of this one lie in the half-plane: the left one on its rim
+        assert_eq!(at(&square(0.0, 0.0), 0.0, 0.5).crossings, 2);
+    }
+
+    #[test]
+    fn the_second_point_of_a_ray_is_as_far_out_as_its_origin() {
+        let line = RayLine::new(&Ray::new(DVec3::new(1000.0, 0.0, 0.0), 0.125 * DVec3::Z));
+        assert_eq!(line.ahead, DVec3::new(1000.0, 0.0, 1000.0));
+        let line = RayLine::new(&Ray::new(DVec3::X, 8.0 * DVec3::Z));
+        assert_eq!(line.ahead, DVec3::new(1.0, 0.0, 8.0));
+    }
 }

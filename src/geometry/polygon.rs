@@ -510,4 +510,98 @@ mod tests {
             Err(PolygonError::NormalWithoutDirection { vertex: 1 })
         );
     }
+
+    #[test]
+    fn how_far_a_vertex_may_be_off_is_measured_by_the_polygon_not_by_its_place() {
+        // two corners up by h and two down: the plane is z = 0 and each lies h off; the size is 2
+        let saddle = |h: f64, z: f64| {
+            points(&[
+                [1.0, 0.0, z + h],
+                [0.0, 1.0, z - h],
+                [-1.0, 0.0, z + h],
+                [0.0, -1.0, z - h],
+            ])
+        };
+        for z in [0.0, 1024.0] {
+            let error = Polygon::new(saddle(0.5, z), None).unwrap_err();
+            let expected = PolygonError::NotPlanar {
+                vertex: 0,
+                distance: 0.5,
+                allowed: 2e-5,
+            };
+            assert_eq!(error, expected);
+        }
+        // 86·2⁻²² is 2.05·10⁻⁵: too much here, and within the rounding 8ε·2³⁰ = 1.9·10⁻⁶ at z = 2³⁰
+        let h = 86.0 / 4_194_304.0;
+        assert!(Polygon::new(saddle(h, 0.0), None).is_err());
+        assert!(Polygon::new(saddle(h, 1_073_741_824.0), None).is_ok());
+        // a hit may lie 64 times as far off as the vertices do
+        let polygon = Polygon::new(saddle(1e-6, 0.0), None).unwrap();
+        assert!(
+            (polygon.play() - 64e-6).abs() <= 1e-12,
+            "{}",
+            polygon.play()
+        );
+    }
+
+    #[test]
+    fn t_of_a_flat_ray_goes_with_the_length_of_its_direction() {
+        let [a, b, c] = [[1.0, 2.0, 3.0], [5.0, 3.0, 1.0], [2.0, 6.0, 4.0]].map(DVec3::from);
+        let triangle = Polygon::new(vec![a, b, c], None).unwrap();
+        let p = b + DVec3::new(-7.0, 2.0, 5.0) / 2048.0;
+        let mut outside = 0;
+        for exact in [8.0, 64.0, 512.0, 1024.0] {
+            let direction = DVec3::new(4.0, 1.0, -2.0 + 0.5f64.powi(40));
+            let ray = Ray::new(p - exact * direction, direction);
+            let (quotient, t, _) = flat(&triangle, &ray);
+            outside += usize::from(quotient != t);
+            // a power of 2 changes no digit
+            for factor in [2.0_f64.powi(20), 2.0_f64.powi(-20)] {
+                let scaled = Ray::new(ray.origin, direction / factor);
+                let found = triangle
+                    .plane_test(&scaled, TRange::FORWARD, Sides::Both)
+                    .chosen();
+                assert_eq!(found, Some(factor * t), "{exact}");
+            }
+        }
+        // else this test would hold without bringing t anywhere
+        assert!(1 <= outside);
+    }
+
+    #[test]
+    fn a_tip_counts_as_passed_within_the_rounding_of_the_coordinates() {
+        // only the tip is near the ray, and both edges leave it to one side
+        let tip = |x: f64, y: f64| {
+            let corners = [
+                [x, y, 5.0],
+                [x - 100.0, y + 200.0, 5.0],
+                [x - 300.0, y + 200.0, 5.0],
+            ];
+            Polygon::new(points(&corners), None).unwrap()
+        };
+        let nearest = |polygon: &Polygon, origin: [f64; 2], direction: [f64; 2]| {
+            let ray = Ray::new(
+                DVec3::new(origin[0], origin[1], 5.0),
+                DVec3::new(direction[0], direction[1], 0.0),
+            );
+            polygon.nearest_in_outline(&ray, 7.0)
+        };
+        assert_eq!(nearest(&tip(0.0, 0.0), [0.0; 2], [1.0, 0.0]), Some(0.0));
+        // 32ε(|o| + |p|)(|Δu| + |Δv|) = 32ε·(4000 + 4000)·4 = 2.3·10⁻¹⁰, and the tip lies 3·6·10⁻¹¹ beside
+        let passed = nearest(&tip(3000.0, 1000.0 + 6e-11), [-3000.0, -1000.0], [3.0, 1.0]);
+        assert!((passed.unwrap() - 2000.0).abs() <= 1e-9);
+        let beside = nearest(&tip(3000.0, 1000.0 + 1e-10), [-3000.0, -1000.0], [3.0, 1.0]);
+        assert_eq!(beside, None);
+    }
+
+    #[test]
+    fn a_normal_within_the_rounding_of_unit_length_stays_bit_for_bit() {
+        // (1 + 8ε)² is 1 + 16ε
+        let triangle = points(&[[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]);
+        for (off, kept) in [(8.0, 8.0), (9.0, 0.0)] {
+            let normal = |off: f64| (1.0 + off * f64::EPSILON) * DVec3::Z;
+            let polygon = Polygon::new(triangle.clone(), Some(vec![normal(off); 3])).unwrap();
+            assert_eq!(polygon.normals().unwrap()[0], normal(kept));
+        }
+    }
 }

@@ -77,4 +77,12 @@ mod tests {
         check(&[], 0.0);
         check(&[[0.1, 0.1], [0.9, 0.9]], 0.0);
     }
+
+    #[test]
+    fn a_rectangle_away_from_the_origin_cuts_where_it_lies() {
+        let triangle = [[0.0, 0.0], [6.0, 0.0], [0.0, 6.0]].map(DVec2::from);
+        // of 1 ≤ x ≤ 3, 2 ≤ y ≤ 4 the corner beyond x + y = 6 is left out: half of 1·1 at (3, 4)
+        let area = polygon_in_rectangle(&triangle, DVec2::new(1.0, 2.0), DVec2::new(3.0, 4.0));
+        assert_eq!(area, 3.5);
+    }
 }

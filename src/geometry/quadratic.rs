@@ -173,4 +173,42 @@ mod tests {
         let two = roots(tolerance.next_up(), 64.0);
         assert!(matches!(two, Roots::Two { .. }), "{two:?}");
     }
+
+    #[test]
+    fn a_root_beside_a_huge_one_keeps_its_digits() {
+        // t² ∓ 2⁴⁰·t + 1: the roots are 2⁻⁴⁰ and 2⁴⁰ within 10⁻²⁴ of themselves
+        let (small, large) = (2.0_f64.powi(-40), 2.0_f64.powi(40));
+        for sign in [1.0, -1.0] {
+            let discriminant = large * large - 4.0;
+            let equation = Quadratic {
+                a: 1.0,
+                b: -sign * large,
+                c: 1.0,
+                discriminant,
+                scale: large * large,
+            };
+            let test = equation.test(TRange::FORWARD, Sides::Both, |_| false);
+            let mut found: Vec<f64> = test.roots.iter().map(|root| root.t).collect();
+            found.sort_by(|s, t| s.abs().total_cmp(&t.abs()));
+            assert_eq!(found, [sign * small, sign * large]);
+        }
+    }
+
+    #[test]
+    fn a_graze_lies_at_the_vertex_of_the_parabola() {
+        // 4t² − 20t + 25 = (2t − 5)²
+        let equation = Quadratic {
+            a: 4.0,
+            b: -20.0,
+            c: 25.0,
+            discriminant: 0.0,
+            scale: 400.0,
+        };
+        let graze = Root {
+            t: 2.5,
+            fate: Fate::Chosen,
+        };
+        let test = equation.test(TRange::FORWARD, Sides::Both, |_| false);
+        assert_eq!(test.roots, Roots::Graze(graze));
+    }
 }

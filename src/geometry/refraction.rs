@@ -124,4 +124,12 @@ mod tests {
         assert!((factor(1.0, 1.5) - 4.0 / 9.0).abs() <= 1e-15);
         assert_eq!(factor(1.5, 1.5), 1.0);
     }
+
+    #[test]
+    fn at_the_critical_angle_itself_the_ray_passes_along_the_surface() {
+        // cos²θ₂ = 1 − 1·(1 − 0) = 0
+        let along = refract(DVec3::X, DVec3::Y, 1.5, 1.5);
+        assert_eq!(along.cos_refracted_squared, 0.0);
+        assert_eq!(along.direction, Some(DVec3::X));
+    }
 }

@@ -135,3 +135,29 @@ pub(super) fn judged(t: f64, range: TRange, mut refused: impl FnMut(f64) -> Opti
     };
     Root { t, fate }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn both_ends_of_the_range_count_and_the_origin_does_not() {
+        let range = TRange {
+            min: 0.25,
+            max: 4.0,
+        };
+        for (t, fate) in [
+            (0.25, Fate::Chosen),
+            (0.25_f64.next_down(), Fate::BelowEpsilon),
+            (-0.25_f64.next_down(), Fate::BelowEpsilon),
+            (-0.25, Fate::Behind),
+            (4.0, Fate::Chosen),
+            (4.0_f64.next_up(), Fate::BeyondNearest),
+        ] {
+            assert_eq!(fate_of(t, range), fate, "{t}");
+        }
+        for t in [0.0, -0.0] {
+            assert_eq!(fate_of(t, TRange::FORWARD), Fate::Behind, "{t}");
+        }
+    }
+}

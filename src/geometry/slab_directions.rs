@@ -152,4 +152,34 @@ mod tests {
         assert_eq!(units[0], DVec3::X);
         assert!((units[1] - DVec3::new(0.0, 0.6, 0.8)).length() <= 1e-15);
     }
+
+    #[test]
+    fn sixteen_directions_are_allowed_and_seventeen_are_not() {
+        // (1, k, k²): no two are parallel, no three lie in one plane
+        let moment = |k: i32| [1.0, f64::from(k), f64::from(k * k)];
+        let sixteen: Vec<_> = (0..16).map(moment).collect();
+        assert_eq!(of(&sixteen).unwrap().len(), 16);
+        let seventeen: Vec<_> = (0..17).map(moment).collect();
+        assert_eq!(of(&seventeen), Err(SlabSetError::TooMany { count: 17 }));
+    }
+
+    #[test]
+    fn directions_whose_squares_leave_f64_are_directions() {
+        let units = of(&[[1e-300, 0.0, 0.0], [0.0, 1e300, 0.0], [0.0, 0.0, 1.0]]).unwrap();
+        assert_eq!(units, DVec3::AXES);
+    }
+
+    #[test]
+    fn a_billionth_from_parallel_or_from_one_plane_is_not_independent() {
+        let parallel = [[1.0, 0.0, 0.0], [1.0, 1e-9, 0.0], [0.0, 0.0, 1.0]];
+        let expected = SlabSetError::Parallel {
+            first: 0,
+            second: 1,
+        };
+        assert_eq!(of(&parallel), Err(expected));
+        assert!(of(&[[1.0, 0.0, 0.0], [1.0, 1.1e-9, 0.0], [0.0, 0.0, 1.0]]).is_ok());
+        let plane = |z: f64| of(&[[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.6, 0.8, z]]);
+        assert_eq!(plane(1e-9), Err(SlabSetError::Unbounded { independent: 2 }));
+        assert!(plane(1.1e-9).is_ok());
+    }
 }

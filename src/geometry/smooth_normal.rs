@@ -122,4 +122,12 @@ mod tests {
         let found = interpolated_normal(&triangle, &normals, DVec2::new(0.5, 0.0));
         assert_eq!(found, None);
     }
+
+    #[test]
+    fn on_an_edge_the_nearer_end_has_the_larger_share() {
+        // ¼ of the way along an edge of 8
+        let outline = [DVec2::ZERO, DVec2::new(8.0, 0.0), DVec2::new(0.0, 8.0)];
+        let weights = mean_value_weights(&outline, DVec2::new(2.0, 0.0));
+        assert_eq!(weights, [0.75, 0.25, 0.0]);
+    }
 }

@@ -278,4 +278,54 @@ mod tests {
         };
         assert_eq!(sphere.normal(DVec3::new(1.0, 4.0, 3.0)), DVec3::Y);
     }
+
+    #[test]
+    fn a_graze_is_measured_by_the_size_of_the_sphere_and_of_the_direction() {
+        // at y = r(1 − nε), along 4x: 4·16(r² − y²) = 128nε·r², and 4ε·4·16·r² is a graze
+        for radius in [1.0, 1024.0, 1.0 / 1024.0] {
+            let ball = Sphere {
+                center: DVec3::ZERO,
+                radius,
+            };
+            for (n, grazes) in [(1.0, true), (2.0, true), (3.0, false)] {
+                let origin = DVec3::new(-5.0 * radius, radius * (1.0 - n * f64::EPSILON), 0.0);
+                let ray = Ray::new(origin, 4.0 * DVec3::X);
+                let roots = ball.test(&ray, TRange::FORWARD, Sides::Both).roots;
+                assert_eq!(
+                    matches!(roots, Roots::Graze(_)),
+                    grazes,
+                    "{radius} {n}: {roots:?}"
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn what_cancels_in_the_discriminant_is_taken_again_to_the_last_digit_at_every_size() {
+        // Δ = (3, 4, 0), o = m(4, −3, 0) + (0, 0, n) + sΔ: |o × Δ|² = 25(25m² + n²), so that with r = 5m + 1
+        // a·r² − |o × Δ|² = 25(10m + 1 − n²); with n = 20001 and 10m = n² + 99999 that is 25·100000
+        let (m, n) = (40_014_000.0, 20_001.0);
+        let direction = DVec3::new(3.0, 4.0, 0.0);
+        for size in [1.0, 2.0_f64.powi(-40), 2.0_f64.powi(40)] {
+            let ball = Sphere {
+                center: DVec3::ZERO,
+                radius: size * (5.0 * m + 1.0),
+            };
+            let test = |s: f64| {
+                let origin = DVec3::new(4.0 * m, -3.0 * m, n) + s * direction;
+                ball.test(
+                    &Ray::new(size * origin, direction),
+                    TRange::FORWARD,
+                    Sides::Both,
+                )
+            };
+            // 10¹⁸ − 10¹⁸, each rounded to 128
+            let far = test(-40_000_000.0);
+            assert_eq!(far.discriminant / size / size, 1e7);
+            // c = |o|² − r² = 25s² − 100000, of two squares of 17 digits
+            let close = test(-100.0);
+            assert_eq!(close.c / size / size, 150_000.0);
+            assert_eq!(close.discriminant / size / size, 1e7);
+        }
+    }
 }

@@ -47,3 +47,83 @@ impl Cone {
         test
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use std::f64::consts::PI;
+
+    use glam::DVec3;
+
+    use super::*;
+    use crate::geometry::Ray;
+
+    /// Radius 3 at y = 2, radius 2 at y = 6: k = −¼.
+    fn frustum() -> Cone {
+        let base = DVec3::new(1.0, 2.0, 3.0);
+        Cone::new(base, 3.0, base + 4.0 * DVec3::Y, 2.0).unwrap()
+    }
+
+    /// The point so high over the base and so far from the axis, in one of twelve directions.
+    fn around(height: f64, radius: f64, hour: u32) -> DVec3 {
+        let (sine, cosine) = (f64::from(hour) * PI / 6.0 + 0.1).sin_cos();
+        frustum().base() + DVec3::new(radius * cosine, height, radius * sine)
+    }
+
+    /// For how many of twelve rays are the numbers not those of the world? The aligned ones differ in their last
+    /// digits for most.
+    fn own_numbers(ray: impl Fn(u32) -> Ray) -> usize {
+        let differs = |ray: Ray| {
+            let world = frustum().test(&ray, TRange::FORWARD, Sides::Both);
+            world != frustum().test_aligned(&AlignedRay::new(&ray), TRange::FORWARD, Sides::Both)
+        };
+        (0..12).filter(|&hour| differs(ray(hour))).count()
+    }
+
+    /// Below the bound all numbers are those of the world; beyond it some are not, or nothing would have been shown.
+    #[track_caller]
+    fn check(ray: impl Fn(f64, f64, u32) -> Ray) {
+        for length in [0.25, 1.0, 4.0] {
+            assert_eq!(own_numbers(|hour| ray(0.9, length, hour)), 0, "{length}");
+            assert!(0 < own_numbers(|hour| ray(1.1, length, hour)), "{length}");
+        }
+    }
+
+    #[test]
+    fn within_a_billionth_of_the_sizes_a_hit_on_an_end_is_that_of_the_world() {
+        for (from_base, inwards) in [(0.0, 1.0), (4.0, -1.0)] {
+            check(|share, length, hour| {
+                let origin = around(7.0, 9.0, hour + 1);
+                let distance = (around(from_base, 3.0 - 0.25 * from_base, hour) - origin).length();
+                // |o − base| + r_base, the height, and t·|Δ|
+                let sizes = (origin - frustum().base()).length() + 3.0 + 4.0 + distance;
+                let y = from_base + inwards * share * 1e-9 * sizes;
+                let end = around(y, 3.0 - 0.25 * y, hour);
+                Ray::new(origin, length * (end - origin).normalize())
+            });
+        }
+    }
+
+    #[test]
+    fn close_to_the_surface_the_numbers_are_those_of_the_world() {
+        check(|share, length, hour| {
+            // c = ρ² − R² with R = 2.75, against 10⁻⁶·(1 + |k|)²(|o − base| + r_base)²; the latter hardly changes with ρ
+            let offset = around(1.0, 2.75, hour) - frustum().base();
+            let size = 1.25 * (offset.length() + 3.0);
+            let radius = (2.75 * 2.75 + share * 1e-6 * size * size).sqrt();
+            let origin = around(1.0, radius, hour);
+            let target = around(2.0, 1.0, hour + 3);
+            Ray::new(origin, length * (target - origin).normalize())
+        });
+    }
+
+    #[test]
+    fn close_to_the_direction_of_a_generator_the_numbers_are_those_of_the_world() {
+        check(|share, length, hour| {
+            // a/|Δ|² = sin² − k²cos² = 1 − 17/16·cos², against 10⁻⁵·(1 + |k|)²
+            let cosine = ((1.0 - share * 1e-5 * 1.25 * 1.25) * 16.0 / 17.0).sqrt();
+            let sine = (1.0 - cosine * cosine).sqrt();
+            let direction = around(cosine, sine, hour) - frustum().base();
+            Ray::new(around(0.5, 0.5, hour + 5), length * direction)
+        });
+    }
+}

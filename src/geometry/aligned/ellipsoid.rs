@@ -57,4 +57,34 @@ mod tests {
         assert!((found - expected).abs() <= 1e-14 * expected, "{found}");
         assert!((test.a - 2.0).abs() <= 1e-15, "{test:?}");
     }
+
+    #[test]
+    fn a_ray_of_another_length_has_its_t_in_its_own_lengths() {
+        let egg = Ellipsoid {
+            center: DVec3::new(6.0, 0.0, 8.0),
+            radii: DVec3::new(0.6, 1.0, 0.8),
+        };
+        let ray = AlignedRay::new(&Ray::new(DVec3::ZERO, DVec3::new(2.4, 0.0, 3.2)));
+        // as above with |Δ| = 4: a = 2·16, and t = (10 − √½)/4
+        let test = egg.test_aligned(&ray, TRange::FORWARD, Sides::Both);
+        assert!((test.a - 32.0).abs() <= 1e-13, "{test:?}");
+        let expected = 0.25 * (10.0 - 0.5_f64.sqrt());
+        assert!((test.roots.chosen().unwrap() - expected).abs() <= 1e-14);
+    }
+
+    #[test]
+    fn a_c_that_is_small_beside_the_smallest_radius_is_that_of_the_world() {
+        // the center is rounded by some 10⁻¹⁶ of 30, which is 10⁻¹² of the thickness
+        let sheet = Ellipsoid {
+            center: DVec3::new(-15.0, 0.0, 0.0),
+            radii: DVec3::new(10.0, 10.0, 1e-3),
+        };
+        for k in 0..8 {
+            let origin = DVec3::new(15.0, 0.1 * f64::from(k), 0.0);
+            let ray = Ray::new(origin, DVec3::new(-0.6, 0.48, 0.64));
+            let world = sheet.test(&ray, TRange::FORWARD, Sides::Both);
+            let test = sheet.test_aligned(&AlignedRay::new(&ray), TRange::FORWARD, Sides::Both);
+            assert_eq!(test, world, "{k}");
+        }
+    }
 }

@@ -205,4 +205,66 @@ mod tests {
             }
         }
     }
+
+    #[test]
+    fn the_edges_that_count_lie_to_the_right() {
+        let polygon = u_shape();
+        for (x, y, crossings) in [
+            (1.0, 4.0, 3),
+            (3.0, 4.0, 2),
+            (5.0, 4.0, 1),
+            (7.0, 4.0, 0),
+            (-1.0, 4.0, 4),
+        ] {
+            // along z the frame's x and y are those of the world; half the t of a ray twice as long
+            let ray = AlignedRay::new(&Ray::new(DVec3::new(x, y, 0.0), 2.0 * DVec3::Z));
+            let test = polygon.contains_aligned(&ray, 2.5);
+            assert_eq!(test.crossings, crossings, "({x}, {y})");
+            assert_eq!(test.decided_by, DecidedBy::Point);
+            assert_eq!(test.point, DVec3::new(0.0, 0.0, 5.0));
+        }
+    }
+
+    #[test]
+    fn within_the_blur_of_an_edge_the_ray_decides() {
+        let is_near = |from: [f64; 2], to: [f64; 2], blur: f64| {
+            let corner = |at: [f64; 2]| Corner {
+                at: at.into(),
+                blur,
+            };
+            edge_past_origin(0, corner(from), corner(to)).is_none()
+        };
+        // six long, ¼ around it: level, and upright
+        for (from, to, near) in [
+            ([-3.0, 0.25], [3.0, 0.25], true),
+            ([-3.0, -0.25], [3.0, -0.25], true),
+            ([-3.0, 0.26], [3.0, 0.26], false),
+            ([0.25, 0.0], [6.25, 0.0], true),
+            ([-6.25, 0.0], [-0.25, 0.0], true),
+            ([0.26, 0.1], [6.26, 0.1], false),
+            ([-6.26, 0.1], [-0.26, 0.1], false),
+            ([0.0, 0.25], [0.0, 6.25], true),
+            ([0.0, -6.25], [0.0, -0.25], true),
+            ([0.1, 0.26], [0.1, 6.26], false),
+            ([0.1, -6.26], [0.1, -0.26], false),
+        ] {
+            assert_eq!(is_near(from, to, 0.25), near, "{from:?} {to:?}");
+        }
+        // without blur: an end in the origin, and then 4ε(|x₁y₂| + |y₁x₂|) = 4ε·6·10⁵ = 5.3·10⁻¹⁰ against
+        // (−300 + d)·200 + 100·600, which is 200d
+        assert!(is_near([0.0, 0.0], [6.0, 1.0], 0.0));
+        let slanted = |d: f64| is_near([-300.0 + d, -100.0], [600.0, 200.0], 0.0);
+        assert!(slanted(0.0) && slanted(4e-13));
+        assert!(!slanted(1e-12));
+        assert!(!is_near([-300.0, -200.0], [600.0, 200.0], 0.0));
+    }
+
+    #[test]
+    fn the_blur_of_a_corner_is_16_eps_of_the_sum_of_its_coordinates() {
+        // (6, 6, 5) from (1, 2, 0): 16·(5 + 4 + 5)
+        let ray = AlignedRay::new(&Ray::new(DVec3::new(1.0, 2.0, 0.0), DVec3::Z));
+        let corner = u_shape().corner(2, &ray);
+        assert_eq!(corner.at, DVec2::new(5.0, 4.0));
+        assert_eq!(corner.blur, 224.0 * f64::EPSILON);
+    }
 }

@@ -43,3 +43,50 @@ impl Sphere {
         test
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use glam::DVec3;
+
+    use super::*;
+    use crate::geometry::{Ray, Roots};
+
+    #[test]
+    fn the_coefficients_go_with_the_lengths_of_the_ray_and_of_the_sphere() {
+        // c′ = (3, 0, 5) and |Δ| = 2: a = 2², b = −2·2·5, c = 3² + 5² − 5², b² − 4ac = 400 − 144
+        let (large, small) = (2.0_f64.powi(20), 2.0_f64.powi(-20));
+        for (size, length) in [
+            (1.0, 1.0),
+            (large, 1.0),
+            (small, 1.0),
+            (1.0, large),
+            (1.0, small),
+        ] {
+            let ball = Sphere {
+                center: size * DVec3::new(3.0, 3.0, 4.0),
+                radius: 5.0 * size,
+            };
+            let direction = length * DVec3::new(1.2, 0.0, 1.6);
+            let ray = AlignedRay::new(&Ray::new(DVec3::ZERO, direction));
+            let test = ball.test_aligned(&ray, TRange::FORWARD, Sides::Both);
+            let Roots::Two { near, far } = test.roots else {
+                panic!("{test:?}");
+            };
+            let both = size * length;
+            // t of (20 ∓ 16)/8
+            for (found, expected) in [
+                (test.a / length / length, 4.0),
+                (test.b / both, -20.0),
+                (test.c / size / size, 9.0),
+                (test.discriminant / both / both, 256.0),
+                (near.t * length / size, 0.5),
+                (far.t * length / size, 4.5),
+            ] {
+                assert!(
+                    (found - expected).abs() <= 1e-15 * 256.0,
+                    "{expected}: {test:?}"
+                );
+            }
+        }
+    }
+}
