@@ -28,6 +28,7 @@
 //! ```
 //! use std::path::Path;
 //!
+//! use raystep::explain::render;
 //! use raystep::{Exhaustive, Recording, Settings, Through, Tracer, Transport, WorkedOptions};
 //!
 //! # fn main() -> Result<(), Box<dyn std::error::Error>> {
@@ -40,7 +41,8 @@
 //! let records = recording.into_sink();
 //!
 //! let options = WorkedOptions::default();
-//! let text = raystep::worked_solution(&scene, &Settings::default(), &records, &options);
+//! let page = raystep::worked_solution(&scene, &Settings::default(), &records, &options);
+//! let text = render::plain(&page, render::no_hint);
 //! assert!(text.contains("t = (-b ± √3.9973506)/2a"));
 //! # Ok(())
 //! # }
@@ -59,8 +61,9 @@ pub mod tracer;
 
 pub use book::{BookError, BookMistake, BookOptions, Preprocessed, preprocess};
 pub use explain::{
-    Compared, Comparison, Cost, CrowdedCell, ErrorOf, InAdvance, TransportComparison,
-    TransportCost, WorkedOptions, counts_json, counts_text, grouped, in_advance, in_advance_json,
+    Compared, Comparison, Cost, CrowdedCell, DERIVATIONS, Derivation, ErrorOf, Fold, InAdvance,
+    Line, Page, Part, Section, StepAddress, StepRange, Tone, TransportComparison, TransportCost,
+    Unfold, WorkedOptions, counts_json, counts_text, grouped, in_advance, in_advance_json,
     in_advance_text, pixel_json, strategies_to_compare, strategy_title, worked_solution,
 };
 pub use figure::{

@@ -8,14 +8,20 @@ use std::path::Path;
 
 use raystep::{
     Chosen, Recording, Scene, Settings, Strategy, StrategyName, Through, Tracer, Transport,
-    WorkedOptions, load, load_bytes, trace_pixel, worked_solution,
+    WorkedOptions, load, load_bytes, trace_pixel,
 };
+
+use crate::worked_solution::worked_text;
 
 /// Half a unit in the sixth digit, of three printed numbers that enter.
 const PRINTED: f64 = 2e-5;
 
 /// A sum is also wrong by this share of its largest term.
 const OF_TERMS: f64 = 3e-6;
+
+/// A sum of squares that is 0 but for rounding has no more than six digits of each number: 5·10⁻⁶ of it, twice that of
+/// its square, and of four squares at most.
+const OF_SQUARES: f64 = 4e-5;
 
 /// A number, or a vector: three of them. Colours are multiplied component by component.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -86,7 +92,10 @@ impl Calculator<'_> {
                 });
             } else if self.eat("/") {
                 let factor = self.power()?;
-                value = value.join(factor, |(a, s), (b, _)| (a / b, s / b.abs()));
+                // what a difference below the line has lost counts as well
+                value = value.join(factor, |(a, s), (b, t)| {
+                    (a / b, (s / b.abs()).max(t * a.abs() / (b * b)))
+                });
             } else {
                 return Some(value);
             }
@@ -177,7 +186,8 @@ fn at_start(text: &str) -> Option<Value> {
     let value = calculator.sum()?;
     let ends = calculator.rest.trim_start();
     let whole = ends.is_empty() || ends.starts_with([',', ':', ';', '>', '<', '…', '(']);
-    whole.then_some(value)
+    let words = ["but for rounding", "times: ", "and "];
+    (whole || words.iter().any(|word| ends.starts_with(word))).then_some(value)
 }
 
 /// The value of the longest expression that a text ends with.
@@ -202,30 +212,186 @@ fn at_end(text: &str) -> Option<Value> {
     })
 }
 
+/// Both sides of an equation, if they can be computed.
+fn sides(left: &str, right: &str) -> Option<[Value; 2]> {
+    // the one step that is told in words
+    let direction = left.strip_suffix(", normalised");
+    let mut sides = [at_end(direction.unwrap_or(left))?, at_start(right)?];
+    if direction.is_some() {
+        let length = sides[0].parts.iter().map(|part| part * part).sum::<f64>();
+        let divide = |part: f64| part / length.sqrt();
+        sides[0].parts = sides[0].parts.map(divide);
+        sides[0].sizes = sides[0].sizes.map(divide);
+    }
+    (sides[0].is_vector == sides[1].is_vector).then_some(sides)
+}
+
+#[track_caller]
+fn check_sides(sides: [Value; 2], line: &str) {
+    check_within(sides, OF_TERMS, line);
+}
+
+/// The same, where the left side may be wrong by another share of its largest term.
+#[track_caller]
+fn check_within([left, right]: [Value; 2], of_terms: f64, line: &str) {
+    for i in 0..3 {
+        let (a, b) = (left.parts[i], right.parts[i]);
+        let allowed = PRINTED * a.abs().max(b.abs()) + of_terms * left.sizes[i];
+        assert!((a - b).abs() <= allowed, "{a} {b} in: {line}");
+    }
+}
+
 /// How many equations of a line were computed again: between numbers, and between vectors.
 #[track_caller]
 pub(crate) fn check_line(line: &str) -> [usize; 2] {
     let mut checked = [0; 2];
-    // the one step that is told in words
-    if line.contains("normalised") {
-        return checked;
-    }
     let parts: Vec<_> = line.split(" = ").collect();
     for pair in parts.windows(2) {
-        let (Some(left), Some(right)) = (at_end(pair[0]), at_start(pair[1])) else {
+        let [left, right] = [pair[0], pair[1]];
+        // both roots at once: the smaller one comes first
+        if let (true, Some((near, far))) = (left.contains('±'), right.split_once(" and ")) {
+            let root = |sign, root| sides(&left.replace('±', sign), root);
+            let (Some(minus), Some(plus)) = (root("-", near), root("+", near)) else {
+                continue;
+            };
+            let Some(far) = at_start(far) else {
+                continue;
+            };
+            let (first, second) = if minus[0].parts[0] <= plus[0].parts[0] {
+                (minus[0], plus[0])
+            } else {
+                (plus[0], minus[0])
+            };
+            check_sides([first, minus[1]], line);
+            check_sides([second, far], line);
+            checked[0] += 2;
+            continue;
+        }
+        let Some(sides) = sides(left, right) else {
             continue;
         };
-        if left.is_vector != right.is_vector {
-            continue;
+        let is_rounding = right.starts_with("0 but for rounding");
+        let of_terms = if is_rounding { OF_SQUARES } else { OF_TERMS };
+        check_within(sides, of_terms, line);
+        checked[usize::from(sides[0].is_vector)] += 1;
+    }
+    // P - COP = (…), of length …
+    if let Some((vector, length)) = line.split_once(", of length ") {
+        let value = at_end(vector).zip(at_start(length));
+        if let Some((vector, length)) = value {
+            let squares = vector.parts.iter().map(|part| part * part);
+            let of_vector = Value::number(squares.sum::<f64>().sqrt());
+            check_sides([of_vector, length], line);
+            checked[0] += 1;
         }
-        for i in 0..3 {
-            let (a, b) = (left.parts[i], right.parts[i]);
-            let allowed = PRINTED * a.abs().max(b.abs()) + OF_TERMS * left.sizes[i];
-            assert!((a - b).abs() <= allowed, "{a} {b} in: {line}");
-        }
-        checked[usize::from(left.is_vector)] += 1;
     }
     checked
+}
+
+/// Lines with an equals sign that there is nothing to compute in, by what they hold, and why.
+const NOT_COMPUTED: [(&str, &str); 34] = [
+    ("… (i)", "equation (i) itself, with the ray's numbers"),
+    ("… (iii)", "equation (iii) itself"),
+    ("… (iv)", "equation (iv) itself, with the plane's numbers"),
+    ("o - center", "o and the center are on other lines"),
+    ("Δ → ", "Δ and the radii are on other lines"),
+    ("axis w = ", "the axis of a cone, as the scene has it"),
+    ("m = o - base: ", "o and the base are on other lines"),
+    ("Δ: Δ·w = ", "Δ and w are on other lines"),
+    ("p = o + t·Δ = ", "o, t and Δ are on other lines"),
+    (
+        " lies on the z axis; z is dropped",
+        "the z of p is t, which is on another line",
+    ),
+    (
+        "The ray becomes the z axis: p' = ",
+        "what the frame does to any p",
+    ),
+    ("o = (", "the ray, as it is"),
+    (
+        "y = z × x = ",
+        "a vector product, of vectors on other lines",
+    ),
+    ("o' = (0, 0, 0), Δ' = ", "the ray in its own frame"),
+    (" at z = ", "the t of a hit, which is in the hit's test"),
+    ("Δ = (P - COP)/", "P - COP is on the line above"),
+    ("Δ = T = ", "T is in the refraction"),
+    ("Δ = (x - x')/|x - x'| = ", "x and x' are on other lines"),
+    ("a direction of chance", "a random direction"),
+    (
+        "Chance decides: ξ = ",
+        "a random number, or no number at all",
+    ),
+    (
+        "colour·diffuse = ",
+        "a product of the material, whose colour is in the scene",
+    ),
+    ("N = (A, B, C) = ", "the plane's normal, which is in (iv)"),
+    ("N = -(A, B, C) = ", "the plane's normal, which is in (iv)"),
+    ("N = normal of the box = ", "the face's normal, in words"),
+    (
+        "N = (m⊥/|m⊥| - k·w), normalised",
+        "m⊥ and w are on other lines",
+    ),
+    ("R = 2(N·L)N - L = ", "N and L are on other lines"),
+    ("n₁·sin θ₁ = n₂·sin θ₂", "Snell's law itself"),
+    ("cos θ₁ = -Δ·N = ", "Δ and N are on other lines"),
+    ("x = (", "the two ends of a line, as they are"),
+    ("cos θ = 1", "the end of a line that has no normal"),
+    ("cos θ' = 1", "the end of a line that has no normal"),
+    ("I = gathered = ", "a sum of one term"),
+    (
+        " = 0 has no solution for any t",
+        "c and 0, which are not equal",
+    ),
+    (
+        " beside the COP, and R = ",
+        "the COP is in the scene, and R is given",
+    ),
+];
+
+/// More of them, which begin with these words or hold them alone.
+const NO_TERMS: [(&str, &str); 6] = [
+    ("r = ", "the distance of the last photon"),
+    ("p lies in a cell of the surface's map", "the cell's area"),
+    ("no light is stored here", "nothing is gathered"),
+    ("w = 1: no other edge", "a single share"),
+    ("→ V = 0, since", "the line is blocked"),
+    (
+        "N = -(m⊥/|m⊥| - k·w), normalised",
+        "m⊥ and w are on other lines",
+    ),
+];
+
+/// Why there is nothing to compute in a line; `None` if it should have been computed.
+fn why_not_computed(line: &str) -> Option<&'static str> {
+    let line = line.trim_start();
+    let named = NOT_COMPUTED.iter().find(|(words, _)| line.contains(words));
+    let begins = NO_TERMS.iter().find(|(words, _)| line.starts_with(words));
+    // t of a root, a bound or a hit, as the lines above have found it
+    let parts: Vec<&str> = line.split(" = ").collect();
+    let (_, before) = parts.split_last()?;
+    let is_t = |left: &&str| *left == "t" || left.ends_with(" t");
+    let of_t = before
+        .iter()
+        .all(is_t)
+        .then_some("a t that was found above");
+    named.or(begins).map(|(_, why)| *why).or(of_t)
+}
+
+/// The lines of a text, those that go on an equation of the line above joined to it.
+fn whole_lines(text: &str) -> Vec<String> {
+    let mut lines: Vec<String> = Vec::new();
+    for line in text.lines() {
+        match lines.last_mut() {
+            Some(last) if line.trim_start().starts_with("= ") => {
+                *last += " ";
+                *last += line.trim_start();
+            }
+            _ => lines.push(line.into()),
+        }
+    }
+    lines
 }
 
 fn solution(scene: &str, pixel: [u32; 2], settings: &Settings) -> String {
@@ -245,7 +411,7 @@ fn solution_of(scene: &Scene, pixel: [u32; 2], settings: &Settings) -> String {
         all: true,
         ..WorkedOptions::default()
     };
-    worked_solution(scene, settings, &recording.into_sink(), &options)
+    worked_text(scene, settings, &recording.into_sink(), &options)
 }
 
 /// At least so many equations in the solution, each of which comes out.
@@ -264,11 +430,20 @@ fn check_with(settings: &Settings, scene: &str, pixel: [u32; 2], at_least: [usiz
 #[track_caller]
 fn check_text(text: &str, at_least: [usize; 2]) {
     let mut sum = [0; 2];
-    // P goes over two lines
-    for line in text.replace("\n    = ", " = ").lines() {
-        let checked = check_line(line);
+    let mut left_out = Vec::new();
+    for line in whole_lines(text) {
+        let checked = check_line(&line);
         sum = [sum[0] + checked[0], sum[1] + checked[1]];
+        if checked == [0; 2] && line.contains(" = ") && why_not_computed(&line).is_none() {
+            left_out.push(line);
+        }
     }
+    assert!(
+        left_out.is_empty(),
+        "{} lines were not computed again:\n{}",
+        left_out.len(),
+        left_out.join("\n")
+    );
     let enough = at_least[0] <= sum[0] && at_least[1] <= sum[1];
     assert!(enough, "only {sum:?} equations in\n{text}");
 }
@@ -307,6 +482,51 @@ fn a_wrong_sum_is_noticed() {
 #[should_panic(expected = "in: L = (1, 0, 0) + (0, 1, 0) = (1, 2, 0)")]
 fn a_wrong_vector_is_noticed() {
     check_line("L = (1, 0, 0) + (0, 1, 0) = (1, 2, 0)");
+}
+
+#[test]
+#[should_panic(expected = "in: t = (-b ± √4)/2a = (6 ± 2)/4 = 1 and 3")]
+fn a_wrong_root_is_noticed() {
+    check_line("t = (-b ± √4)/2a = (6 ± 2)/4 = 1 and 3");
+}
+
+#[test]
+fn roots_normals_and_lengths_are_computed_too() {
+    assert_eq!(check_line("t = (-b ± √4)/2a = (6 ± 2)/4 = 1 and 2"), [2, 0]);
+    let normal =
+        "N = (p - center)/radii² = [(2, 1, 0) - (1, 1, 0)]/(2, 1, 1)², normalised = (1, 0, 0)";
+    assert_eq!(check_line(normal), [0, 1]);
+    assert_eq!(check_line("P - COP = (3, 0, 4), of length 5"), [1, 0]);
+    // six digits of each number of the second leave 9.7·10⁻⁸
+    for rounding in [
+        "c = |o - center|² - r² = 0.6² + 0.8² + 0² - 1² = 0 but for rounding",
+        "c = |o - center|² - r² = (-0.126746)² + (-0.113287)² + (-0.00126639)² - 0.17² = 0 but for rounding",
+    ] {
+        assert_eq!(check_line(rounding), [1, 0]);
+    }
+}
+
+#[test]
+#[should_panic(expected = "= 0 but for rounding")]
+fn a_sum_that_is_not_0_is_noticed() {
+    check_line("c = |o - center|² - r² = 0.6² + 0.81² + 0² - 1² = 0 but for rounding");
+}
+
+#[test]
+fn a_line_that_goes_on_an_equation_is_part_of_it() {
+    let text = "  t = -(A·x₀ + D)/(A·Δx) … (v)\n    = -(2·3 - 4)/(2·1)\n    = -2/2 = -1\nend";
+    let lines = whole_lines(text);
+    assert_eq!(lines.len(), 2);
+    assert_eq!(check_line(&lines[0]), [2, 0]);
+}
+
+#[test]
+#[should_panic(expected = "1 lines were not computed again:\n  E = a lot = 3")]
+fn a_line_that_cannot_be_computed_is_named() {
+    check_text(
+        "  1 + 1 = 2\n  E = a lot = 3\n  t = 4 lies behind the origin",
+        [1, 0],
+    );
 }
 
 #[test]

@@ -229,6 +229,34 @@ fn every_verb_has_an_example_in_its_help() {
 }
 
 #[test]
+fn a_pixel_is_explained_in_markdown_and_html() {
+    let folder = Folder::with_scene();
+    let markdown = folder
+        .run("pixel scene.json 80,60 --format markdown")
+        .well();
+    let markdown = String::from_utf8(markdown).unwrap();
+    assert!(markdown.starts_with("- **Pixel (80, 60) of"), "{markdown}");
+    let html = folder.run("pixel scene.json 80,60 --format html").well();
+    let html = String::from_utf8(html).unwrap();
+    assert!(html.starts_with("<!DOCTYPE html>"), "{html}");
+    assert!(html.contains("data-part=\"discriminant\""), "{html}");
+}
+
+/// Only the command knows its options: the page says what is left out, the command how to see it.
+#[test]
+fn the_command_says_which_option_shows_what_is_left_out() {
+    let folder = Folder::with_scene();
+    let text = folder.run("pixel scene.json 80,60 --ray 0").well();
+    let text = String::from_utf8(text).unwrap();
+    assert!(text.contains(" (--ray 1)\n"), "{text}");
+    let built = folder
+        .run("pixel scene.json 80,60 --strategy grid --grid 8,8,8 --building")
+        .well();
+    let built = String::from_utf8(built).unwrap();
+    assert!(built.contains("more steps (--all shows them)\n"), "{built}");
+}
+
+#[test]
 fn a_pixel_is_explained_without_colour_into_a_pipe() {
     let folder = Folder::with_scene();
     let text = String::from_utf8(folder.run("pixel scene.json 80,60").well()).unwrap();

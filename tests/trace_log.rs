@@ -13,8 +13,10 @@ use std::path::Path;
 use raystep::{
     Chosen, Kind, Kinds, Loaded, LogOptions, LogReader, LogStopped, LoggedPaths, Off, Record,
     Recording, Region, Scene, Settings, Strategy, Through, Tracer, WorkedOptions, load, load_bytes,
-    trace_pixel, worked_solution, write_log,
+    trace_pixel, write_log,
 };
+
+use crate::worked_solution::worked_text;
 use serde_json::Value;
 
 /// The example of the scene file's description.
@@ -228,8 +230,8 @@ fn the_worked_solution_from_a_log_is_the_one_from_memory() {
                     all,
                     ..WorkedOptions::default()
                 };
-                let memory = worked_solution(&scene, &settings, &traced, &options);
-                let file = worked_solution(&read_scene, &read_settings, read, &options);
+                let memory = worked_text(&scene, &settings, &traced, &options);
+                let file = worked_text(&read_scene, &read_settings, read, &options);
                 assert!(!memory.is_empty());
                 assert!(memory == file, "{} {pixel:?}", scene.name);
             }

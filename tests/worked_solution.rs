@@ -1,13 +1,16 @@
 //! The worked solution reads as one does it by hand: its lines against a pixel worked out on paper.
 
 pub(crate) mod light;
+mod ranges;
+mod renderers;
 mod strategies;
 
 use std::path::Path;
 
+use raystep::explain::render;
 use raystep::{
     Exhaustive, Kind, Kinds, Record, Recording, Scene, Settings, Through, Tracer, Transport,
-    WorkedOptions, load_bytes, trace_pixel, worked_solution,
+    WorkedOptions, load_bytes, trace_pixel,
 };
 
 /// One pixel, whose eye ray runs along z from the origin: every number below is one of a few halves.
@@ -34,6 +37,17 @@ const SCENE: &str = r#"{
   "max_depth": 2
 }"#;
 
+/// The worked solution as plain text, without hints.
+pub(crate) fn worked_text(
+    scene: &Scene,
+    settings: &Settings,
+    records: &[Record],
+    options: &WorkedOptions,
+) -> String {
+    let page = raystep::worked_solution(scene, settings, records, options);
+    render::plain(&page, render::no_hint)
+}
+
 fn scene() -> Scene {
     let loaded = load_bytes("paper.json", SCENE.as_bytes(), Path::new("")).unwrap();
     loaded.build().unwrap()
@@ -49,7 +63,7 @@ fn records(scene: &Scene) -> Vec<Record> {
 
 fn solution(options: &WorkedOptions) -> String {
     let scene = scene();
-    worked_solution(&scene, &Settings::default(), &records(&scene), options)
+    worked_text(&scene, &Settings::default(), &records(&scene), options)
 }
 
 /// Each of the lines stands in the solution, in this order.
@@ -164,7 +178,7 @@ fn one_ray_alone_names_the_rays_sent_on_from_it() {
     assert!(text.contains("Ray 0:"));
     check(
         &text,
-        &["Ray 2: reflected, sent on from ray 0, depth 2: meets ball at t = 6 (--ray 2)"],
+        &["Ray 2: reflected, sent on from ray 0, depth 2: meets ball at t = 6"],
     );
 }
 
@@ -179,18 +193,19 @@ fn a_solution_of_a_filtered_trace_says_what_is_there() {
         only: Some(vec!["sphere_test".into()]),
         ..Settings::default()
     };
-    let text = worked_solution(&scene, &settings, &kept, &WorkedOptions::default());
+    let text = worked_text(&scene, &settings, &kept, &WorkedOptions::default());
     assert!(text.contains("the log holds only: sphere_test"), "{text}");
     assert!(text.contains("b² - 4ac = 100 - 96 = 4"), "{text}");
 }
 
 #[test]
 fn colour_changes_no_word() {
-    let plain = solution(&WorkedOptions::default());
-    let coloured = solution(&WorkedOptions {
-        colour: true,
-        ..WorkedOptions::default()
-    });
+    let scene = scene();
+    let records = records(&scene);
+    let (settings, options) = (Settings::default(), WorkedOptions::default());
+    let page = raystep::worked_solution(&scene, &settings, &records, &options);
+    let plain = render::plain(&page, render::no_hint);
+    let coloured = render::ansi(&page, render::no_hint);
     assert!(!plain.contains('\u{1b}'));
     assert!(coloured.contains('\u{1b}'));
     assert_eq!(anstream::adapter::strip_str(&coloured).to_string(), plain);

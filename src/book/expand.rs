@@ -4,9 +4,10 @@ use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
 
 use crate::book::directive::{Asks, Directive};
-use crate::book::html::{escaped, one_line, prose};
+use crate::book::html::{one_line, prose};
 use crate::book::value::value;
-use crate::explain::{WorkedOptions, worked_solution};
+use crate::explain::render::{escaped, html};
+use crate::explain::{Unfold, WorkedOptions, worked_solution};
 use crate::figure::FigureSpec;
 use crate::figure::{Rendition, Traced, Width};
 use crate::lesson::{
@@ -272,11 +273,16 @@ fn log(named: &Named, words: &[String]) -> Result<String, String> {
         only: None,
         ..traced.settings.clone()
     };
-    let text = worked_solution(&traced.scene, &settings, &records, &options);
-    Ok(format!(
-        "<pre class=\"raystep-log\"><code class=\"language-plaintext\">{}</code></pre>",
-        escaped(text.trim_end())
-    ))
+    let page = worked_solution(&traced.scene, &settings, &records, &options);
+    Ok(html(&page, hint))
+}
+
+/// The options of the directive that show what a page leaves out.
+fn hint(unfold: Unfold) -> String {
+    match unfold {
+        Unfold::All => "all shows them".into(),
+        Unfold::Ray(ray) => format!("ray={ray}"),
+    }
 }
 
 /// Kinds of event by their names.

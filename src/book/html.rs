@@ -2,26 +2,6 @@
 
 use std::fmt::Write;
 
-/// Text as HTML has it. A line break becomes a reference, and a brace too, so that no other preprocessor takes a name
-/// for a directive of its own.
-pub(super) fn escaped(text: &str) -> String {
-    let mut html = String::with_capacity(text.len());
-    for c in text.chars() {
-        match c {
-            '&' => html.push_str("&amp;"),
-            '<' => html.push_str("&lt;"),
-            '>' => html.push_str("&gt;"),
-            '"' => html.push_str("&quot;"),
-            '\n' | '{' | '}' => {
-                // writing into a String does not fail
-                let _ = write!(html, "&#{};", u32::from(c));
-            }
-            _ => html.push(c),
-        }
-    }
-    html
-}
-
 /// Text as Markdown prose has it: what could be a mark is written as a reference.
 pub(super) fn prose(text: &str) -> String {
     let mut markdown = String::with_capacity(text.len());
@@ -44,6 +24,7 @@ pub(super) fn one_line(svg: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::explain::render::escaped;
 
     #[test]
     fn text_stays_text() {

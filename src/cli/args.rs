@@ -264,6 +264,19 @@ pub(crate) enum Format {
     Json,
 }
 
+/// How a worked solution is written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum PixelFormat {
+    /// Lines, in colour on a terminal.
+    Text,
+    /// The tree of rays with their events, for programs.
+    Json,
+    /// Nested lists in Markdown.
+    Markdown,
+    /// A document in HTML.
+    Html,
+}
+
 /// The worked solution of one pixel.
 #[derive(Debug, ClapArgs)]
 #[command(after_help = "Examples:
@@ -288,10 +301,10 @@ pub(crate) struct PixelArgs {
     /// How many events the pixel may have: all are kept in memory, 168 bytes each
     #[arg(long, value_name = "N", default_value_t = 2_000_000)]
     pub(crate) budget: u64,
-    /// Text, or JSON with the tree of rays
+    /// Text, JSON with the tree of rays, a list in Markdown, or a document in HTML
     #[arg(long, value_enum, default_value = "text", hide_possible_values = true)]
-    #[arg(value_name = "text|json")]
-    pub(crate) format: Format,
+    #[arg(value_name = "text|json|markdown|html")]
+    pub(crate) format: PixelFormat,
     /// What may be read.
     #[command(flatten)]
     pub(crate) reading: Reading,

@@ -6,14 +6,15 @@ use std::path::Path;
 use std::time::Instant;
 
 use anstream::{AutoStream, ColorChoice};
+use raystep::explain::render;
 use raystep::{
     Budget, CrowdedCell, Kind, Kinds, Off, Record, Recorder, Recording, Region, Scene, Settings,
-    Stopped, Strategy, Through, Tracer, WorkedOptions, paths_behind, pixel_json, trace_pixel,
-    worked_solution,
+    Stopped, Strategy, Through, Tracer, Unfold, WorkedOptions, paths_behind, pixel_json,
+    trace_pixel, worked_solution,
 };
 
 use crate::cli::Error;
-use crate::cli::args::{Format, PixelArgs};
+use crate::cli::args::{Format, PixelArgs, PixelFormat};
 use crate::cli::input::{self, Input, Log, Ready};
 use crate::cli::light::light_pass;
 use crate::cli::output::Output;
@@ -200,7 +201,15 @@ fn from_log(log: Log, args: &PixelArgs, started: Instant) -> Result<Traced, Erro
     })
 }
 
-/// Prints the working as text or JSON, as the options restrict it.
+/// The options that show what a page leaves out.
+fn hint(unfold: Unfold) -> String {
+    match unfold {
+        Unfold::All => "--all shows them".into(),
+        Unfold::Ray(ray) => format!("--ray {ray}"),
+    }
+}
+
+/// Prints the working in its format, as the options restrict it.
 fn print(args: &PixelArgs, traced: &Traced) -> Result<(), Error> {
     let Traced {
         scene,
@@ -213,22 +222,32 @@ fn print(args: &PixelArgs, traced: &Traced) -> Result<(), Error> {
     } else {
         Kinds::of(&args.only)
     };
+    let options = WorkedOptions {
+        kinds,
+        ray: args.ray,
+        all: args.all,
+    };
+    let page = || worked_solution(scene, settings, records, &options);
     match args.format {
-        Format::Text => {
-            let choice = AutoStream::choice(&std::io::stdout());
-            let options = WorkedOptions {
-                kinds,
-                ray: args.ray,
-                all: args.all,
-                colour: choice != ColorChoice::Never,
+        PixelFormat::Text => {
+            let text = match AutoStream::choice(&std::io::stdout()) {
+                ColorChoice::Never => render::plain(&page(), hint),
+                _ => render::ansi(&page(), hint),
             };
-            let text = worked_solution(scene, settings, records, &options);
             // translates the colours where a terminal has other codes
             let mut out = anstream::stdout();
             let written = out.write_all(text.as_bytes()).and_then(|()| out.flush());
             written.map_err(|error| Output::standard().failed(error))
         }
-        Format::Json => {
+        PixelFormat::Markdown => {
+            let markdown = render::markdown(&page(), hint);
+            Output::standard().write_whole(markdown.as_bytes())
+        }
+        PixelFormat::Html => {
+            let html = render::html_document(&page(), hint);
+            Output::standard().write_whole(html.as_bytes())
+        }
+        PixelFormat::Json => {
             let wanted = |record: &&Record| {
                 kinds.contains(record.event.kind())
                     && (args.ray.is_none() || record.path.is_none() && record.ray == args.ray)

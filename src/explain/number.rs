@@ -132,6 +132,14 @@ fn is_rounding(size: f64, difference: f64) -> bool {
     difference.abs() <= ROUNDING * size.abs()
 }
 
+/// A turned vector as a reader works it out: a coordinate that is 0 but for rounding is 0.
+pub(super) fn without_rounding(v: DVec3) -> DVec3 {
+    /// Some roundings of 10⁻¹⁶ each.
+    const ROUNDING: f64 = 1e-14;
+    let size = v.abs().max_element();
+    DVec3::select(v.abs().cmple(DVec3::splat(ROUNDING * size)), DVec3::ZERO, v)
+}
+
 /// A number without the zeros at the end of its decimals.
 fn trimmed(number: &str) -> &str {
     if number.contains('.') {

@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use raystep::explain::render;
 use raystep::{
     BoundOutcome, Build, Chosen, Event, Kind, Loaded, Record, Recording, Scene, Settings,
     SlabChoice, StrategyName, StructureOptions, TRange, Through, Tracer, Transport, VolumeKind,
@@ -65,7 +66,8 @@ fn worked(scene: &Scene, settings: &Settings, records: &[Record]) -> String {
         all: true,
         ..WorkedOptions::default()
     };
-    worked_solution(scene, settings, records, &options)
+    let page = worked_solution(scene, settings, records, &options);
+    render::plain(&page, render::no_hint)
 }
 
 /// What follows from the near and the far t in the log, for a ray that counts in this range.

@@ -3,8 +3,10 @@
 use glam::DVec3;
 use raystep::{
     BoundedObjects, Recording, Scene, Settings, SlabSet, Through, Tracer, Transport, VolumeKind,
-    WorkedOptions, trace_pixel, worked_solution,
+    WorkedOptions, trace_pixel,
 };
+
+use crate::worked_solution::worked_text;
 
 use super::{KINDS, brick, cone, ellipsoid, mesh, outline, own_set, polygon, scene, solid, sphere};
 use crate::calculator::check_line;
@@ -22,7 +24,7 @@ fn solution<const N: usize>(
     trace_pixel(&tracer, pixel, Through::Centres, &mut recording).unwrap();
     let options = WorkedOptions::default();
     let records = recording.into_sink();
-    worked_solution(scene, &Settings::default(), &records, &options)
+    worked_text(scene, &Settings::default(), &records, &options)
 }
 
 /// The eye is at (0, 0, 9), and the pixel's ray runs to (½, ½, 5): Δ = (1, 1, −8)/√66.
@@ -147,7 +149,7 @@ fn a_parallel_ray_is_told_by_where_its_s_lies() {
     });
     let options = WorkedOptions::default();
     let records = recording.into_sink();
-    let text = worked_solution(&scene, &Settings::default(), &records, &options);
+    let text = worked_text(&scene, &Settings::default(), &records, &options);
     // −D runs from −0.5 to 1.5, and for the second sphere from 2.5 to 4.5
     let lines = [
         "S = 1·0.5 + 0·0.5 + 0·9 = 0.5, 1·0 + 0·0 + 0·(-1) = 0: the ray is parallel",

@@ -1,6 +1,8 @@
 //! Light on its way, computed again: chance, arrivals, gathered photons, connections.
 
-use raystep::{Scene, Transport, WorkedOptions, worked_solution};
+use raystep::{Scene, Transport, WorkedOptions};
+
+use crate::worked_solution::worked_text;
 
 use super::{check_line, check_text};
 use crate::worked_solution::light::{GLASS, SCENE, built, records, settings};
@@ -23,7 +25,7 @@ fn solutions(scene: &Scene, transport: Transport) -> Vec<String> {
         .step_by(step)
         .map(|number| {
             let records = records(scene, &settings, [number % width, number / width]);
-            worked_solution(scene, &settings, &records, &options)
+            worked_text(scene, &settings, &records, &options)
         })
         .collect()
 }

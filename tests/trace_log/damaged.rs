@@ -1,6 +1,8 @@
 //! Damaged logs: the message names the file, the line and what is wrong in it.
 
-use raystep::{LogReader, Record, Region, Settings, WorkedOptions, pixel_json, worked_solution};
+use raystep::{LogReader, Record, Region, Settings, WorkedOptions, pixel_json};
+
+use crate::worked_solution::worked_text;
 
 use super::{all_of, built, log};
 use crate::seeded::Seeded;
@@ -368,7 +370,7 @@ fn use_all(bytes: &[u8]) -> Result<(), String> {
             all: true,
             ..WorkedOptions::default()
         };
-        worked_solution(&scene, &settings, &records, &options);
+        worked_text(&scene, &settings, &records, &options);
     }
     pixel_json(&scene, &settings, &records);
     Ok(())

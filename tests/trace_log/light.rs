@@ -2,9 +2,10 @@
 
 use raystep::{
     Chosen, Event, Kinds, LightPass, LogOptions, LogReader, LoggedPaths, Off, PathSieve, Record,
-    Region, Scene, Settings, Sink, Tracer, Transport, WorkedOptions, pixel_json, worked_solution,
-    write_log,
+    Region, Scene, Settings, Sink, Tracer, Transport, WorkedOptions, pixel_json, write_log,
 };
+
+use crate::worked_solution::worked_text;
 
 use crate::worked_solution::light::{GLASS, SCENE, built, records, settings};
 
@@ -62,8 +63,8 @@ fn a_whole_log_holds_of_each_pixel_what_tracing_that_pixel_alone_gives() {
                     all,
                     ..WorkedOptions::default()
                 };
-                let memory = worked_solution(&scene, &settings, &traced, &options);
-                let file = worked_solution(&read_scene, &read_settings, &read, &options);
+                let memory = worked_text(&scene, &settings, &traced, &options);
+                let file = worked_text(&read_scene, &read_settings, &read, &options);
                 assert!(memory == file, "{what}");
             }
         }

@@ -3,8 +3,10 @@
 use raystep::{
     Build, Event, GridOptions, Kind, LineSink, Lists, LogNames, LogReader, QueueAction, Recording,
     Region, Scene, Settings, Sink, SlabChoice, SlabInterval, StrategyName, StructureOptions,
-    Through, VolumeKind, WorkedOptions, worked_solution, write_log_head,
+    Through, VolumeKind, WorkedOptions, write_log_head,
 };
+
+use crate::worked_solution::worked_text;
 
 use super::{EXAMPLE, MIXED, all_of, built, check_same, log, pixels_of, records};
 
@@ -188,8 +190,8 @@ fn what_was_built_reads_back_as_the_same_records_and_the_same_text() {
                 all,
                 ..WorkedOptions::default()
             };
-            let memory = worked_solution(&scene, &settings, &traced, &options);
-            let file = worked_solution(&read_scene, &read_settings, &read, &options);
+            let memory = worked_text(&scene, &settings, &traced, &options);
+            let file = worked_text(&read_scene, &read_settings, &read, &options);
             assert!(memory == file, "{what}");
             assert!(memory.contains("Built before the first ray"), "{what}");
         }

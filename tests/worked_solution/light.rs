@@ -4,8 +4,10 @@ use std::path::Path;
 
 use raystep::{
     Exhaustive, Kind, Kinds, LightPass, Off, Record, Recording, Region, Scene, Settings, Through,
-    Tracer, Transport, WorkedOptions, load_bytes, paths_behind, trace_pixel, worked_solution,
+    Tracer, Transport, WorkedOptions, load_bytes, paths_behind, trace_pixel,
 };
+
+use crate::worked_solution::worked_text;
 
 use super::check;
 
@@ -78,7 +80,7 @@ pub(crate) fn records(scene: &Scene, settings: &Settings, pixel: [u32; 2]) -> Ve
 fn solution(settings: &Settings, pixel: [u32; 2], options: &WorkedOptions) -> String {
     let scene = built(SCENE);
     let records = records(&scene, settings, pixel);
-    worked_solution(&scene, settings, &records, options)
+    worked_text(&scene, settings, &records, options)
 }
 
 fn told(transport: Transport) -> String {
@@ -217,7 +219,7 @@ fn photons_around_a_point_make_its_irradiance() {
         &[
             "→ The ray meets floor at t = 2.12132",
             "Light that is stored around p on floor",
-            "… 3 more photons (--all tells them)",
+            "… 3 more photons",
             // seven of eight, each with 100 W over 2000 paths
             "Σ power = 0.05·(7, 7, 7) = (0.35, 0.35, 0.35), in watts: so many of the 7 photons carry each channel",
             "Ambient: none, for the light that it stands for was followed",
@@ -273,7 +275,7 @@ fn of_many_paths_some_are_told_and_the_others_counted() {
         .filter(|line| line.starts_with("Path "))
         .count();
     assert_eq!(paths, 8);
-    assert!(text.contains("more paths of light led to the pixel (--all tells them)"));
+    assert!(text.contains("more paths of light led to the pixel"));
 }
 
 #[test]
@@ -313,7 +315,7 @@ fn a_mirror_or_glass_on_the_way_is_told_as_what_cannot_be_the_line() {
         .flat_map(|y| (0..6).map(move |x| [x, y]))
         .map(|pixel| {
             let records = records(&scene, &settings, pixel);
-            worked_solution(&scene, &settings, &records, &WorkedOptions::default())
+            worked_text(&scene, &settings, &records, &WorkedOptions::default())
         })
         .collect();
     for line in [

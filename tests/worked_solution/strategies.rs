@@ -4,7 +4,9 @@
     reason = "snapbox writes the snapshots so"
 )]
 
-use raystep::{Kind, Kinds, Settings, StrategyName, WorkedOptions, worked_solution};
+use raystep::{Kind, Kinds, Settings, StrategyName, WorkedOptions};
+
+use crate::worked_solution::worked_text;
 use snapbox::{assert_data_eq, str};
 
 use crate::trace_log::{EXAMPLE, built, records};
@@ -23,7 +25,7 @@ fn told(strategy: StrategyName, pixel: [u32; 2], ray: Option<u32>, kinds: &[Kind
         ray,
         ..WorkedOptions::default()
     };
-    worked_solution(
+    worked_text(
         &scene,
         &settings,
         &records(&scene, &settings, pixel),
@@ -54,7 +56,6 @@ Built before the first ray
 Ray 0: from the eye, depth 1
 
   Ray 1: to the light lamp, sent on from ray 0, depth 2
-
 
 "#]]
     );
@@ -249,7 +250,6 @@ Built before the first ray
 Ray 0: from the eye, depth 1
 
   Ray 1: to the light lamp, sent on from ray 0, depth 2
-
 
 "#]]
     );

@@ -6,8 +6,10 @@ use glam::DVec3;
 use raystep::{
     Aligned, AlignedPart, AxisBox, Event, Hit, Kind, Off, PrimitiveId, Ray, Recording, Settings,
     Shape, Sphere, Strategy, TRange, Through, Tracer, Transport, WorkedOptions, ZAligned,
-    load_bytes, trace_pixel, worked_solution,
+    load_bytes, trace_pixel,
 };
+
+use crate::worked_solution::worked_text;
 
 use super::hard_rays::{ray, shape};
 use super::{ROUNDING, both_sides};
@@ -169,7 +171,7 @@ fn the_working_is_told_in_the_numbers_of_the_frame() {
     let mut recording = Recording::new(Vec::new());
     trace_pixel(&tracer, [0, 0], Through::Centres, &mut recording).unwrap();
     let records = recording.into_sink();
-    let text = worked_solution(
+    let text = worked_text(
         &scene,
         &Settings::default(),
         &records,

@@ -2,10 +2,11 @@
 
 use glam::DVec3;
 
-use crate::explain::number::Digits;
+use crate::explain::number::{Digits, without_rounding};
 use crate::explain::page::Tone;
-use crate::explain::worked::Solution;
-use crate::explain::worked::steps::{Course, Step};
+use crate::explain::worked::context::Context;
+use crate::explain::worked::pen::Pen;
+use crate::explain::worked::steps::{Course, Step, Told};
 use crate::geometry::{AlignedRay, AlignedSlab, Alignment, Ray, SlabInterval};
 use crate::scene::Shape;
 use crate::trace::{Aligned, AlignedPart, Event, Kind, RayStart, StrategyName, ZSort};
@@ -13,145 +14,135 @@ use crate::trace::{Aligned, AlignedPart, Event, Kind, RayStart, StrategyName, ZS
 /// A polygon with more vertices than this shows only the first of them.
 const VERTICES_SHOWN: u32 = 8;
 
-impl Solution<'_> {
-    /// The ray and the frame in which its tests are worked out, if they are not in the world. In a filtered
-    /// log either the alignment or the ray's start may be missing.
-    pub(super) fn aligned_ray(
-        &self,
-        steps: &[Step],
-        start: Option<RayStart>,
-    ) -> Option<AlignedRay> {
-        let frame = steps.iter().find_map(|step| match step {
-            Step::Search(Event::Align(frame)) => Some(*frame),
-            _ => None,
-        });
-        if frame.is_none() && self.settings.strategy != StrategyName::ZAligned {
-            return None;
-        }
-        let from_frame = || frame.map(|frame| Ray::new(frame.origin, frame.z));
-        let ray = start.map(|start| start.ray).or_else(from_frame)?;
-        Some(AlignedRay::new(&ray))
+/// The ray and the frame in which its tests are worked out, if they are not in the world. In a filtered
+/// log either the alignment or the ray's start may be missing.
+pub(super) fn aligned_ray(
+    context: &Context,
+    steps: &[Told],
+    start: Option<RayStart>,
+) -> Option<AlignedRay> {
+    let frame = steps.iter().find_map(|told| match told.step {
+        Step::Search(Event::Align(frame)) => Some(frame),
+        _ => None,
+    });
+    if frame.is_none() && context.settings.strategy != StrategyName::ZAligned {
+        return None;
     }
+    let from_frame = || frame.map(|frame| Ray::new(frame.origin, frame.z));
+    let ray = start.map(|start| start.ray).or_else(from_frame)?;
+    Some(AlignedRay::new(&ray))
+}
 
-    /// The rows of the rotation, where they come from, and what they make of the ray.
-    pub(super) fn align(&mut self, frame: &Alignment) {
-        if !self.shows(Kind::Align) {
-            return;
-        }
-        let d = Digits::USUAL;
-        let Alignment { origin, x, y, z } = *frame;
-        let e = frame.shortest();
-        let along = e.dot(z);
-        let lines = [
-            format!("o = {}, z = Δ = {}", d.vector(origin), d.vector(z)),
-            format!(
-                "x = [e - (e·z)·z]/|z × e| = [{} - {}·{}]/{} = {}, with e the axis along which Δ is \
+/// The rows of the rotation, where they come from, and what they make of the ray.
+pub(super) fn align(context: &Context, frame: &Alignment, page: &mut Pen) {
+    if !context.shows(Kind::Align) {
+        return;
+    }
+    let d = Digits::USUAL;
+    let Alignment { origin, x, y, z } = *frame;
+    let e = frame.shortest();
+    let along = e.dot(z);
+    let lines = [
+        format!("o = {}, z = Δ = {}", d.vector(origin), d.vector(z)),
+        format!(
+            "x = [e - (e·z)·z]/|z × e| = [{} - {}·{}]/{} = {}, with e the axis along which Δ is \
                  shortest",
-                d.vector(e),
-                d.factor(along),
-                d.vector(z),
-                d.number(z.cross(e).length()),
-                d.vector(x)
-            ),
-            format!("y = z × x = [z × e]/|z × e| = {}", d.vector(y)),
-            "o' = (0, 0, 0), Δ' = (x·Δ, y·Δ, z·Δ) = (0, 0, 1): any hit lies at x = y = 0, and z is t"
-                .into(),
-        ];
-        let title = "The ray becomes the z axis: p' = (x·(p - o), y·(p - o), z·(p - o))";
-        self.page.line(Tone::Heading, title);
-        self.page.indented(|page| {
-            for line in lines {
-                page.plain(line);
-            }
-        });
-    }
+            d.vector(e),
+            d.factor(along),
+            d.vector(z),
+            d.number(z.cross(e).length()),
+            d.vector(x)
+        ),
+        format!("y = z × x = [z × e]/|z × e| = {}", d.vector(y)),
+        "o' = (0, 0, 0), Δ' = (x·Δ, y·Δ, z·Δ) = (0, 0, 1): any hit lies at x = y = 0, and z is t"
+            .into(),
+    ];
+    let title = "The ray becomes the z axis: p' = (x·(p - o), y·(p - o), z·(p - o))";
+    page.line(Tone::Heading, title);
+    page.indented(|page| {
+        for line in lines {
+            page.plain(line);
+        }
+    });
+}
 
-    /// A point of an object, before and after.
-    pub(super) fn aligned(&mut self, point: &Aligned) {
-        if !self.shows(Kind::Aligned) {
-            return;
-        }
-        let d = Digits::USUAL;
-        let name = self.name(point.object);
-        let part = match point.part {
-            AlignedPart::Center => "center".into(),
-            AlignedPart::HalfAxis => format!("half axis {}", point.index),
-            AlignedPart::Vertex => format!("vertex {}", point.index),
-            AlignedPart::Base => "base".into(),
-            AlignedPart::Apex => "apex".into(),
-        };
-        if self.options.all || point.index < VERTICES_SHOWN {
-            let (from, to) = (d.vector(point.from), d.vector(shown(point.to)));
-            self.page.plain(format!("{name}: {part} {from} → {to}"));
-            return;
-        }
-        // the rest of the vertices is summed up where the last one stands
-        let Shape::Polygon(polygon) = &self.scene.primitive(point.object).shape else {
-            return;
-        };
-        if polygon.vertices().len() == point.index as usize + 1 {
-            let more = (point.index + 1 - VERTICES_SHOWN) as usize;
-            let vertices = if more == 1 { "vertex" } else { "vertices" };
-            let text = format!("… {more} more {vertices} of {name} (--all lists them)");
-            self.page.line(Tone::Aside, text);
-        }
+/// A point of an object, before and after.
+pub(super) fn aligned(context: &Context, point: &Aligned, page: &mut Pen) {
+    if !context.shows(Kind::Aligned) {
+        return;
     }
-
-    /// A hit in its place; the first one goes back into the world.
-    pub(super) fn z_sort(&mut self, sorted: &ZSort, course: &Course) {
-        if !self.shows(Kind::ZSort) {
-            return;
-        }
-        let d = Digits::USUAL;
-        let z = d.number(sorted.z);
-        if sorted.place == 0 {
-            self.page.line(Tone::Heading, "The hits, sorted by z");
-        }
-        let mut text = format!(
-            "{}. {} at z = {z}",
-            sorted.place + 1,
-            self.name(sorted.object)
-        );
-        if let (0, Some(aligned)) = (sorted.place, &course.aligned) {
-            let frame = aligned.frame;
-            text = format!(
-                "{text}: (0, 0, {z}) goes back to o + z·Δ = {} + {}·{} = {}",
-                d.vector(frame.origin),
-                d.factor(sorted.z),
-                d.vector(frame.z),
-                d.vector(frame.back(DVec3::new(0.0, 0.0, sorted.z)))
-            );
-        }
-        self.page.indented(|page| page.plain(text));
+    let d = Digits::USUAL;
+    let name = context.name(point.object);
+    let part = match point.part {
+        AlignedPart::Center => "center".into(),
+        AlignedPart::HalfAxis => format!("half axis {}", point.index),
+        AlignedPart::Vertex => format!("vertex {}", point.index),
+        AlignedPart::Base => "base".into(),
+        AlignedPart::Apex => "apex".into(),
+    };
+    if context.options.all || point.index < VERTICES_SHOWN {
+        let (from, to) = (d.vector(point.from), d.vector(without_rounding(point.to)));
+        page.plain(format!("{name}: {part} {from} → {to}"));
+        return;
     }
-
-    /// (ii) at x = y = 0: what the alignment simplifies.
-    pub(super) fn sphere_at_axis(&mut self, center: DVec3, radius: f64) {
-        let radius2 = radius * radius;
-        let inside = radius2 - center.truncate().length_squared();
-        let d = Digits::for_difference(radius2, inside);
-        self.page.plain(format!(
-            "at x = y = 0 (ii) is (z - c_z)² = r² - c_x² - c_y² = {}² - {}² - {}² = {}",
-            d.number(radius),
-            d.factor(center.x),
-            d.factor(center.y),
-            d.difference(radius2, inside)
-        ));
+    // the rest of the vertices is summed up where the last one stands
+    let Shape::Polygon(polygon) = &context.scene.primitive(point.object).shape else {
+        return;
+    };
+    if polygon.vertices().len() == point.index as usize + 1 {
+        let more = (point.index + 1 - VERTICES_SHOWN) as usize;
+        let vertices = if more == 1 { "vertex" } else { "vertices" };
+        let text = format!("… {more} more {vertices} of {name}");
+        page.folded(more, text);
     }
 }
 
-/// A turned vector as a reader works it out: a coordinate that is 0 but for rounding is 0.
-pub(super) fn shown(v: DVec3) -> DVec3 {
-    /// Some roundings of 10⁻¹⁶ each.
-    const ROUNDING: f64 = 1e-14;
-    let size = v.abs().max_element();
-    DVec3::select(v.abs().cmple(DVec3::splat(ROUNDING * size)), DVec3::ZERO, v)
+/// A hit in its place; the first one goes back into the world.
+pub(super) fn z_sort(context: &Context, sorted: &ZSort, course: &Course, page: &mut Pen) {
+    if !context.shows(Kind::ZSort) {
+        return;
+    }
+    let d = Digits::USUAL;
+    let z = d.number(sorted.z);
+    if sorted.place == 0 {
+        page.line(Tone::Heading, "The hits, sorted by z");
+    }
+    let mut text = format!(
+        "{}. {} at z = {z}",
+        sorted.place + 1,
+        context.name(sorted.object)
+    );
+    if let (0, Some(aligned)) = (sorted.place, &course.aligned) {
+        let frame = aligned.frame;
+        text = format!(
+            "{text}: (0, 0, {z}) goes back to o + z·Δ = {} + {}·{} = {}",
+            d.vector(frame.origin),
+            d.factor(sorted.z),
+            d.vector(frame.z),
+            d.vector(frame.back(DVec3::new(0.0, 0.0, sorted.z)))
+        );
+    }
+    page.indented(|page| page.plain(text));
+}
+
+/// (ii) at x = y = 0: what the alignment simplifies.
+pub(super) fn sphere_at_axis(center: DVec3, radius: f64, page: &mut Pen) {
+    let radius2 = radius * radius;
+    let inside = radius2 - center.truncate().length_squared();
+    let d = Digits::for_difference(radius2, inside);
+    page.plain(format!(
+        "at x = y = 0 (ii) is (z - c_z)² = r² - c_x² - c_y² = {}² - {}² - {}² = {}",
+        d.number(radius),
+        d.factor(center.x),
+        d.factor(center.y),
+        d.difference(radius2, inside)
+    ));
 }
 
 /// A slab of a box whose normal is turned: at x = y = 0 its planes are z = −D/C.
 pub(super) fn turned_slab(name: &str, slab: &AlignedSlab, interval: SlabInterval) -> String {
     let d = Digits::USUAL;
-    let normal = d.vector(shown(slab.normal));
+    let normal = d.vector(without_rounding(slab.normal));
     let text = format!("slab across {name}, turned to (A, B, C) = {normal}");
     match interval {
         SlabInterval::ParallelInside => {

@@ -2,158 +2,160 @@
 
 use crate::explain::number::Digits;
 use crate::explain::page::Tone;
-use crate::explain::worked::Solution;
+use crate::explain::worked::context::Context;
 use crate::explain::worked::count;
+use crate::explain::worked::pen::Pen;
 use crate::explain::worked::steps::Course;
 use crate::scene::PrimitiveId;
 use crate::structure::{Across, AssignStep, BareGrid, Share};
 use crate::trace::{CellVisit, GridEnter, GridExit, HitOutsideCell, Purpose, WalkEnd};
 
-impl Solution<'_> {
-    /// The grid, and where the ray comes into it.
-    pub(super) fn grid_enter(&mut self, enter: &GridEnter, course: &Course) {
-        let d = Digits::USUAL;
-        let bare = self.bare_grid(enter.resolution);
-        let [nx, ny, nz] = enter.resolution;
-        self.page.plain(format!(
-            "Grid of {nx} × {ny} × {nz} cells from {} to {}",
-            d.vector(bare.min),
-            d.vector(bare.max)
-        ));
-        let ray = course.start.map(|start| start.ray);
-        let inside = ray.map_or(enter.inside, |ray| bare.inside(&ray));
-        match (inside, enter.cell) {
-            (None, Some(cell)) => self.page.plain(format!(
-                "the ray passes by its box, but by less than the room for rounding: it starts in cell {}",
-                place(cell)
-            )),
-            (Some([near, far]), Some(cell)) => self.page.plain(format!(
-                "the ray is in its box from {} to {} and starts in cell {}",
-                d.number(near),
-                d.number(far),
-                place(cell)
-            )),
-            (Some([near, far]), None) => self.page.line(
-                Tone::Refused,
-                format!(
-                    "the ray is in its box from {} to {}, where no t counts",
-                    d.number(near),
-                    d.number(far)
-                ),
-            ),
-            (None, _) => self.page.line(Tone::Refused, "the ray passes by its box"),
-        }
-    }
-
-    /// The grid that the log tells of, without room.
-    fn bare_grid(&self, resolution: [u32; 3]) -> BareGrid {
-        let built = || BareGrid::around(self.scene, resolution);
-        *self.grid.get_or_init(built)
-    }
-
-    /// The grid by whose planes the cells of a ray are told.
-    pub(super) fn grid_along(&self, enter: &GridEnter, course: &Course) -> Option<BareGrid> {
-        let bare = self.bare_grid(enter.resolution);
-        bare.inside(&course.start?.ray).map(|_| bare)
-    }
-
-    /// A cell with its t, and the plane that comes next.
-    pub(super) fn cell(&mut self, visit: &CellVisit, course: &Course) {
-        let d = Digits::USUAL;
-        let step = match (&course.grid, course.start) {
-            (Some(grid), Some(start)) => grid.step(&start.ray, start.range.min, &visit.step),
-            _ => visit.step,
-        };
-        let next: Vec<String> = ["x", "y", "z"]
-            .into_iter()
-            .zip(step.next)
-            .filter(|(_, t)| t.is_finite())
-            .map(|(axis, t)| format!("{axis} at {}", d.number(t)))
-            .collect();
-        let across = match step.across {
-            Across::None => "",
-            Across::X => "x",
-            Across::Y => "y",
-            Across::Z => "z",
-            Across::XY => "x and y at once, through an edge",
-            Across::XZ => "x and z at once, through an edge",
-            Across::YZ => "y and z at once, through an edge",
-            Across::XYZ => "x, y and z at once, through a corner",
-        };
-        let listed = match visit.listed {
-            0 => "no object listed".into(),
-            listed => format!("{} listed", count(listed as usize, "object")),
-        };
-        let leaves = if next.is_empty() {
-            String::new()
-        } else {
+/// The grid, and where the ray comes into it.
+pub(super) fn grid_enter(context: &Context, enter: &GridEnter, course: &Course, page: &mut Pen) {
+    let d = Digits::USUAL;
+    let bare = bare_grid(context, enter.resolution);
+    let [nx, ny, nz] = enter.resolution;
+    page.plain(format!(
+        "Grid of {nx} × {ny} × {nz} cells from {} to {}",
+        d.vector(bare.min),
+        d.vector(bare.max)
+    ));
+    let ray = course.start.map(|start| start.ray);
+    let inside = ray.map_or(enter.inside, |ray| bare.inside(&ray));
+    match (inside, enter.cell) {
+        (None, Some(cell)) => page.plain(format!(
+            "the ray passes by its box, but by less than the room for rounding: it starts in cell {}",
+            place(cell)
+        )),
+        (Some([near, far]), Some(cell)) => page.plain(format!(
+            "the ray is in its box from {} to {} and starts in cell {}",
+            d.number(near),
+            d.number(far),
+            place(cell)
+        )),
+        (Some([near, far]), None) => page.line(
+            Tone::Refused,
             format!(
-                "; next planes: {}; it leaves across {across}",
-                next.join(", ")
-            )
-        };
-        self.page.plain(format!(
-            "Cell {}: t from {} to {}, {listed}{leaves}",
-            place(step.cell),
-            d.number(step.t_in),
-            d.number(step.t_out)
-        ));
-    }
-
-    /// An object that was tested in an earlier cell.
-    pub(super) fn mailbox(&mut self, object: PrimitiveId) {
-        let name = self.name(object);
-        let text = format!("{name}: tested with this ray in an earlier cell, as its mailbox says");
-        self.page.line(Tone::Aside, text);
-    }
-
-    /// A hit beyond the cell.
-    pub(super) fn hit_outside_cell(&mut self, hit: &HitOutsideCell) {
-        let d = Digits::for_difference(hit.t, hit.t - hit.t_out);
-        let text = format!(
-            "→ the hit at {} lies beyond this cell, which ends at {}: it is kept, and the walk goes on",
-            d.number(hit.t),
-            d.number(hit.t_out)
-        );
-        self.page.indented(|page| page.line(Tone::Refused, text));
-    }
-
-    /// Why the walk ended.
-    pub(super) fn grid_exit(&mut self, exit: GridExit, course: &Course) {
-        let shadow = course
-            .start
-            .is_some_and(|start| start.purpose == Purpose::Shadow);
-        let cells = count(exit.cells as usize, "cell");
-        let (tone, text) = match exit.end {
-            WalkEnd::HitInCell if shadow => (
-                Tone::Found,
-                format!("one hit is enough, wherever it lies: the walk ends; {cells} visited"),
+                "the ray is in its box from {} to {}, where no t counts",
+                d.number(near),
+                d.number(far)
             ),
-            WalkEnd::HitInCell => (
-                Tone::Found,
-                format!(
-                    "the nearest hit lies in this cell: no later one can hold a nearer; {cells} visited"
-                ),
-            ),
-            WalkEnd::Left => (
-                Tone::Refused,
-                format!("here the grid ends, or what counts of the ray; {cells} visited"),
-            ),
-            WalkEnd::Outside => (Tone::Refused, "no cell is pierced".into()),
-        };
-        self.page.line(tone, text);
+        ),
+        (None, _) => page.line(Tone::Refused, "the ray passes by its box"),
     }
+}
 
-    /// An object put into a cell's list.
-    pub(super) fn assign(&mut self, step: &AssignStep) {
-        let name = self.name(step.object);
-        let share = match step.share {
-            Share::Whole => "which lies in it as a whole",
-            Share::Part => "a part of which lies in it",
-        };
-        self.page
-            .plain(format!("cell {} lists {name}, {share}", place(step.cell)));
-    }
+/// The grid that the log tells of, without room.
+fn bare_grid(context: &Context, resolution: [u32; 3]) -> BareGrid {
+    let built = || BareGrid::around(context.scene, resolution);
+    *context.again.grid.get_or_init(built)
+}
+
+/// The grid by whose planes the cells of a ray are told.
+pub(super) fn grid_along(
+    context: &Context,
+    enter: &GridEnter,
+    course: &Course,
+) -> Option<BareGrid> {
+    let bare = bare_grid(context, enter.resolution);
+    bare.inside(&course.start?.ray).map(|_| bare)
+}
+
+/// A cell with its t, and the plane that comes next.
+pub(super) fn cell(visit: &CellVisit, course: &Course, page: &mut Pen) {
+    let d = Digits::USUAL;
+    let step = match (&course.grid, course.start) {
+        (Some(grid), Some(start)) => grid.step(&start.ray, start.range.min, &visit.step),
+        _ => visit.step,
+    };
+    let next: Vec<String> = ["x", "y", "z"]
+        .into_iter()
+        .zip(step.next)
+        .filter(|(_, t)| t.is_finite())
+        .map(|(axis, t)| format!("{axis} at {}", d.number(t)))
+        .collect();
+    let across = match step.across {
+        Across::None => "",
+        Across::X => "x",
+        Across::Y => "y",
+        Across::Z => "z",
+        Across::XY => "x and y at once, through an edge",
+        Across::XZ => "x and z at once, through an edge",
+        Across::YZ => "y and z at once, through an edge",
+        Across::XYZ => "x, y and z at once, through a corner",
+    };
+    let listed = match visit.listed {
+        0 => "no object listed".into(),
+        listed => format!("{} listed", count(listed as usize, "object")),
+    };
+    let leaves = if next.is_empty() {
+        String::new()
+    } else {
+        format!(
+            "; next planes: {}; it leaves across {across}",
+            next.join(", ")
+        )
+    };
+    page.plain(format!(
+        "Cell {}: t from {} to {}, {listed}{leaves}",
+        place(step.cell),
+        d.number(step.t_in),
+        d.number(step.t_out)
+    ));
+}
+
+/// An object that was tested in an earlier cell.
+pub(super) fn mailbox(context: &Context, object: PrimitiveId, page: &mut Pen) {
+    let name = context.name(object);
+    let text = format!("{name}: tested with this ray in an earlier cell, as its mailbox says");
+    page.line(Tone::Aside, text);
+}
+
+/// A hit beyond the cell.
+pub(super) fn hit_outside_cell(hit: &HitOutsideCell, page: &mut Pen) {
+    let d = Digits::for_difference(hit.t, hit.t - hit.t_out);
+    let text = format!(
+        "→ the hit at {} lies beyond this cell, which ends at {}: it is kept, and the walk goes on",
+        d.number(hit.t),
+        d.number(hit.t_out)
+    );
+    page.indented(|page| page.line(Tone::Refused, text));
+}
+
+/// Why the walk ended.
+pub(super) fn grid_exit(exit: GridExit, course: &Course, page: &mut Pen) {
+    let shadow = course
+        .start
+        .is_some_and(|start| start.purpose == Purpose::Shadow);
+    let cells = count(exit.cells as usize, "cell");
+    let (tone, text) = match exit.end {
+        WalkEnd::HitInCell if shadow => (
+            Tone::Found,
+            format!("one hit is enough, wherever it lies: the walk ends; {cells} visited"),
+        ),
+        WalkEnd::HitInCell => (
+            Tone::Found,
+            format!(
+                "the nearest hit lies in this cell: no later one can hold a nearer; {cells} visited"
+            ),
+        ),
+        WalkEnd::Left => (
+            Tone::Refused,
+            format!("here the grid ends, or what counts of the ray; {cells} visited"),
+        ),
+        WalkEnd::Outside => (Tone::Refused, "no cell is pierced".into()),
+    };
+    page.line(tone, text);
+}
+
+/// An object put into a cell's list.
+pub(super) fn assign(context: &Context, step: &AssignStep, page: &mut Pen) {
+    let name = context.name(step.object);
+    let share = match step.share {
+        Share::Whole => "which lies in it as a whole",
+        Share::Part => "a part of which lies in it",
+    };
+    page.plain(format!("cell {} lists {name}, {share}", place(step.cell)));
 }
 
 fn place([i, j, k]: [u32; 3]) -> String {

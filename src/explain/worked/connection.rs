@@ -6,9 +6,13 @@ use glam::DVec3;
 
 use crate::explain::number::Digits;
 use crate::explain::page::Tone;
-use crate::explain::worked::Solution;
+use crate::explain::part::Part;
+use crate::explain::worked::context::Context;
+use crate::explain::worked::extent::Extent;
+use crate::explain::worked::pen::Pen;
 use crate::explain::worked::seen::ALL_AROUND;
 use crate::explain::worked::vertex::{Vertex, VertexPlace};
+use crate::explain::worked::{ray, seen, vertex, weight};
 use crate::trace::{Alternative, Connection, Event, Item, Kind, Photon, Purpose};
 
 /// What belongs to one line: its ray, the edges of the whole path, and what came of it. In a filtered log any of the
@@ -18,103 +22,123 @@ pub(super) struct Joined {
     ray: Option<usize>,
     pub(super) alternatives: Vec<Alternative>,
     pub(super) connection: Option<Connection>,
+    /// The events of the edges, and of what came of the line.
+    alternatives_at: Option<Extent>,
+    connection_at: Option<Extent>,
 }
 
-impl Solution<'_> {
-    /// The line that the items begin with, and how many items belong to it.
-    pub(super) fn joined(&self, items: &[Item]) -> Option<(Joined, usize)> {
-        let mut joined = Joined::default();
-        let mut taken = 0;
-        for item in items {
-            match *item {
-                Item::Ray(place) if taken == 0 && self.is_connection(place) => {
-                    joined.ray = Some(place);
+/// The line that the items begin with, and how many items belong to it.
+pub(super) fn joined(context: &Context, items: &[Item]) -> Option<(Joined, usize)> {
+    let mut joined = Joined::default();
+    let mut taken = 0;
+    for item in items {
+        match *item {
+            Item::Ray(place) if taken == 0 && is_connection(context, place) => {
+                joined.ray = Some(place);
+            }
+            Item::Event(at) => match context.records[at].event {
+                Event::Alternative(edge) => {
+                    joined.alternatives.push(edge);
+                    let before = joined.alternatives_at.into_iter();
+                    joined.alternatives_at = Extent::around(before.chain([context.at(at)]));
                 }
-                Item::Event(at) => match self.records[at].event {
-                    Event::Alternative(edge) => joined.alternatives.push(edge),
-                    Event::Connection(connection) => {
-                        joined.connection = Some(connection);
-                        return Some((joined, taken + 1));
-                    }
-                    _ => break,
-                },
-                Item::Ray(_) => break,
-            }
-            taken += 1;
+                Event::Connection(connection) => {
+                    joined.connection = Some(connection);
+                    joined.connection_at = Some(context.at(at));
+                    return Some((joined, taken + 1));
+                }
+                _ => break,
+            },
+            Item::Ray(_) => break,
         }
-        (0 < taken).then_some((joined, taken))
+        taken += 1;
     }
+    (0 < taken).then_some((joined, taken))
+}
 
-    fn is_connection(&self, place: usize) -> bool {
-        let start = self.tree.rays[place].start;
-        start.is_some_and(|start| start.purpose == Purpose::Connection)
-    }
+fn is_connection(context: &Context, place: usize) -> bool {
+    let start = context.tree.rays[place].start;
+    start.is_some_and(|start| start.purpose == Purpose::Connection)
+}
 
-    /// The working of a line; `eye` is what the path from the eye has met.
-    pub(super) fn connect(&mut self, joined: &Joined, eye: &[Photon]) {
-        self.page.gap();
-        let Some(line) = joined.connection.filter(|_| self.shows_lines()) else {
-            if let Some(ray) = joined.ray {
-                self.ray(ray);
-            }
-            return;
-        };
-        let ends = [
-            self.light_vertex(line.path, usize::from(line.light_vertex)),
-            self.eye_vertex(eye, usize::from(line.eye_vertex)),
-        ];
-        let title = connection_title(&line, &ends);
-        self.page.line(Tone::Heading, title);
-        self.page.indent();
+/// The working of a line; `eye` is what the path from the eye has met.
+pub(super) fn connect(context: &Context, joined: &Joined, eye: &[Photon], page: &mut Pen) {
+    page.gap();
+    let Some(line) = joined.connection.filter(|_| shows_lines(context)) else {
         if let Some(ray) = joined.ray {
-            self.ray(ray);
+            ray::ray(context, ray, page);
         }
-        if self.shows(Kind::Connection) {
-            self.geometry_term(&line, &ends);
+        return;
+    };
+    let ends = [
+        vertex::light_vertex(context, line.path, usize::from(line.light_vertex)),
+        vertex::eye_vertex(context, eye, usize::from(line.eye_vertex)),
+    ];
+    let title = connection_title(&line, &ends);
+    page.line(Tone::Heading, title);
+    page.indented(|page| {
+        if let Some(ray) = joined.ray {
+            ray::ray(context, ray, page);
+        }
+        if context.shows(Kind::Connection) {
+            page.telling(joined.connection_at, |page| {
+                page.of_part(Part::GeometryTerm, |page| {
+                    geometry_term(context, &line, &ends, page);
+                });
+            });
         }
         if line.visible {
-            if self.shows(Kind::Alternative) {
-                self.weight(joined, &line, eye);
+            if context.shows(Kind::Alternative) {
+                page.telling(joined.alternatives_at, |page| {
+                    page.of_part(Part::Weight, |page| {
+                        weight::weight(context, joined, &line, eye, page);
+                    });
+                });
             }
-            if self.shows(Kind::Connection) {
-                self.contribution(&line, &ends);
+            if context.shows(Kind::Connection) {
+                page.telling(joined.connection_at, |page| {
+                    page.of_part(Part::Contribution, |page| {
+                        contribution(context, &line, &ends, page);
+                    });
+                });
             }
-        } else if self.shows(Kind::Connection) {
+        } else if context.shows(Kind::Connection) {
             let text = "→ V = 0, since something stands between: the line adds nothing";
-            self.page.line(Tone::Refused, text);
+            page.telling(joined.connection_at, |page| {
+                page.part(Part::Contribution).line(Tone::Refused, text);
+            });
         }
-        self.page.outdent();
-    }
+    });
+}
 
-    fn shows_lines(&self) -> bool {
-        self.shows(Kind::Connection) || self.shows(Kind::Alternative)
-    }
+fn shows_lines(context: &Context) -> bool {
+    context.shows(Kind::Connection) || context.shows(Kind::Alternative)
+}
 
-    /// G = cos θ·cos θ'/d², from the vector between the two vertices on.
-    fn geometry_term(&mut self, line: &Connection, ends: &[Vertex; 2]) {
-        let d = Digits::USUAL;
-        let vector = line.to - line.from;
-        let squared = vector.length_squared();
-        let length = squared.sqrt();
-        let size = line.from.abs().max(line.to.abs()).max_element();
-        let d_point = Digits::for_difference(size, length);
-        self.page
-            .plain("The geometry term: how much of what leaves x arrives at x'");
-        self.page.indent();
-        self.page.plain(format!(
+/// G = cos θ·cos θ'/d², from the vector between the two vertices on.
+fn geometry_term(context: &Context, line: &Connection, ends: &[Vertex; 2], page: &mut Pen) {
+    let d = Digits::USUAL;
+    let vector = line.to - line.from;
+    let squared = vector.length_squared();
+    let length = squared.sqrt();
+    let size = line.from.abs().max(line.to.abs()).max_element();
+    let d_point = Digits::for_difference(size, length);
+    page.plain("The geometry term: how much of what leaves x arrives at x'");
+    page.indented(|page| {
+        page.plain(format!(
             "x = {}{}, x' = {}{}",
             d_point.vector(line.from),
             ends[0].beside(),
             d_point.vector(line.to),
             ends[1].beside()
         ));
-        self.page.plain(format!(
+        page.plain(format!(
             "x' - x = {} - {} = {}",
             d_point.vector(line.to),
             d_point.vector(line.from),
             d.vector(vector)
         ));
-        self.page.plain(format!(
+        page.plain(format!(
             "d² = |x' - x|² = {} = {}, d = {}",
             d.squares(vector),
             d.number(squared),
@@ -122,10 +146,10 @@ impl Solution<'_> {
         ));
         for (end, name, line_from) in [(0, "θ", vector), (1, "θ'", -vector)] {
             let cosine = line.cosines[end];
-            let text = self.cosine(&ends[end], name, line_from, cosine);
-            self.page.plain(text);
+            let text = cosine_text(context, &ends[end], name, line_from, cosine);
+            page.plain(text);
         }
-        self.page.line(
+        page.line(
             Tone::Found,
             format!(
                 "G = cos θ·cos θ'/d² = {}·{}/{} = {}",
@@ -135,44 +159,44 @@ impl Solution<'_> {
                 d.number(line.geometry())
             ),
         );
-        self.page.outdent();
-    }
+    });
+}
 
-    /// The cosine at one end, between the line away from it and the surface's normal.
-    fn cosine(&self, end: &Vertex, name: &str, away: DVec3, cosine: f64) -> String {
-        let d = Digits::USUAL;
-        let prime = if name == "θ" { "" } else { "'" };
-        let value = d.number(cosine);
-        match &end.place {
-            VertexPlace::Light(_) => {
-                format!("cos {name} = 1: a point light shines in all directions alike")
-            }
-            VertexPlace::Eye => {
-                format!("cos {name} = 1: the eye is a point and faces all ways")
-            }
-            VertexPlace::Unknown => format!("cos {name} = {value}"),
-            VertexPlace::Surface(photon) => {
-                let normal = self.normal_towards(photon, away);
-                let vector = if prime.is_empty() { "x' - x" } else { "x - x'" };
-                format!(
-                    "cos {name} = N{prime}·({vector})/d = [{}]/{} = {value}, with N{prime} = {}",
-                    d.dot(normal, away),
-                    d.number(away.length()),
-                    d.vector(normal)
-                )
-            }
+/// The cosine at one end, between the line away from it and the surface's normal.
+fn cosine_text(context: &Context, end: &Vertex, name: &str, away: DVec3, cosine: f64) -> String {
+    let d = Digits::USUAL;
+    let prime = if name == "θ" { "" } else { "'" };
+    let value = d.number(cosine);
+    match &end.place {
+        VertexPlace::Light(_) => {
+            format!("cos {name} = 1: a point light shines in all directions alike")
+        }
+        VertexPlace::Eye => {
+            format!("cos {name} = 1: the eye is a point and faces all ways")
+        }
+        VertexPlace::Unknown => format!("cos {name} = {value}"),
+        VertexPlace::Surface(photon) => {
+            let normal = vertex::normal_towards(context, photon, away);
+            let vector = if prime.is_empty() { "x' - x" } else { "x - x'" };
+            format!(
+                "cos {name} = N{prime}·({vector})/d = [{}]/{} = {value}, with N{prime} = {}",
+                d.dot(normal, away),
+                d.number(away.length()),
+                d.vector(normal)
+            )
         }
     }
+}
 
-    /// L: the product of all factors, and what it adds to the pixel.
-    fn contribution(&mut self, line: &Connection, ends: &[Vertex; 2]) {
-        let d = Digits::USUAL;
-        self.page.plain("What the line brings to the pixel");
-        self.page.indent();
+/// L: the product of all factors, and what it adds to the pixel.
+fn contribution(context: &Context, line: &Connection, ends: &[Vertex; 2], page: &mut Pen) {
+    let d = Digits::USUAL;
+    page.plain("What the line brings to the pixel");
+    page.indented(|page| {
         let sent = match &ends[0].place {
             VertexPlace::Light(power) => {
                 let sent = *power * ALL_AROUND;
-                self.page.plain(format!(
+                page.plain(format!(
                     "sent: Φ/(4π) = {}/(4π) = {}, with Φ in watts on this path",
                     d.vector(*power),
                     d.vector(sent)
@@ -181,7 +205,7 @@ impl Solution<'_> {
             }
             VertexPlace::Surface(photon) => {
                 let sent = photon.power * photon.diffuse / std::f64::consts::PI;
-                self.page.plain(format!(
+                page.plain(format!(
                     "sent: Φ·ρ/π = {}·{}/π = {}, with Φ the watts that arrive at x and ρ = colour·diffuse",
                     d.vector(photon.power),
                     d.vector(photon.diffuse),
@@ -195,7 +219,7 @@ impl Solution<'_> {
         let received = match &ends[1].place {
             VertexPlace::Surface(photon) => {
                 let received = photon.diffuse / std::f64::consts::PI * photon.power;
-                self.page.plain(format!(
+                page.plain(format!(
                     "received: ρ'/π·β = {}/π·{} = {}, with β the weight of the path from the eye at x'",
                     d.vector(photon.diffuse),
                     d.vector(photon.power),
@@ -204,10 +228,10 @@ impl Solution<'_> {
                 Some(d.vector(received))
             }
             VertexPlace::Eye => {
-                let area = self.scene.camera.pixel_area();
-                let (way, cosine) = self.way_to_window(direction);
-                let text = self.by_solid_angle(direction, area);
-                self.page.plain(format!(
+                let area = context.scene.camera.pixel_area();
+                let (way, cosine) = seen::way_to_window(context, direction);
+                let text = seen::by_solid_angle(context, direction, area);
+                page.plain(format!(
                     "received: d²/(A·cos θ) = {text}, with A the area of the pixel, d and θ those of the line at \
                      the window"
                 ));
@@ -224,7 +248,7 @@ impl Solution<'_> {
                 d.number(line.weight)
             )
         });
-        self.page.line(
+        page.line(
             Tone::Found,
             format!(
                 "L = sent·G·V·received·w{} = {brings}",
@@ -232,21 +256,20 @@ impl Solution<'_> {
             ),
         );
         if line.eye_vertex != 0 {
-            let all = self.all_pixels();
-            let samples = f64::from(self.settings.light.samples);
+            let all = context.all_pixels();
+            let samples = f64::from(context.settings.light.samples);
             // whole numbers, with all their digits
             let paths = samples * all;
-            self.page.plain(format!(
+            page.plain(format!(
                 "{paths} paths of light share the power of the lights, and this pixel has {samples} of them: \
                  times W·H = {paths}/{samples} = {all}"
             ));
-            self.page.plain(format!(
+            page.plain(format!(
                 "→ it adds {all}·{brings} = {}",
                 d.vector(all * line.contribution)
             ));
         }
-        self.page.outdent();
-    }
+        });
 }
 
 fn connection_title(line: &Connection, ends: &[Vertex; 2]) -> String {

@@ -1,13 +1,19 @@
 //! The paths of light that led to a pixel: each in a few lines, or in full.
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::ops::Range;
 
 use glam::DVec3;
 
 use crate::explain::number::{Digits, grouped};
 use crate::explain::page::Tone;
+use crate::explain::part::Part;
+use crate::explain::worked::context::Context;
+use crate::explain::worked::count;
+use crate::explain::worked::extent::Extent;
+use crate::explain::worked::pen::Pen;
 use crate::explain::worked::photon::{Carries, channels};
-use crate::explain::worked::{Solution, count};
+use crate::explain::worked::{connection, ray, seen, vertex};
 use crate::scene::Emission;
 use crate::trace::{
     Arrival, Connection, Event, Item, Kind, Outcome, PathStart, Photon, PhotonFate, Purpose,
@@ -66,53 +72,66 @@ const IN_BRIEF: [Kind; 6] = [
     Kind::Connection,
 ];
 
-impl<'a> Solution<'a> {
-    /// The paths of light, one after the other.
-    pub(super) fn light_paths(&mut self, records: &'a [Record]) {
-        let all = self.options.all;
-        let is_told = |record: &Record| {
-            let kind = record.event.kind();
-            self.shows(kind) && (all || IN_BRIEF.contains(&kind))
-        };
-        let paths: Vec<&[Record]> = records
-            .chunk_by(|a, b| a.path == b.path)
-            .filter(|path| path.iter().any(is_told))
-            .collect();
-        let told = if all { paths.len() } else { TOLD };
-        for path in paths.iter().take(told) {
-            self.turn_to(path);
-            self.light_path();
+/// The paths of light, one after the other; `places` are those of their records among all.
+pub(super) fn light_paths(context: &Context, places: Range<usize>, page: &mut Pen) {
+    let all = context.options.all;
+    let is_told = |record: &Record| {
+        let kind = record.event.kind();
+        context.shows(kind) && (all || IN_BRIEF.contains(&kind))
+    };
+    let of_paths = context.section(places.clone());
+    let mut start = places.start;
+    let mut paths: Vec<Range<usize>> = Vec::new();
+    for path in of_paths.records.chunk_by(|a, b| a.path == b.path) {
+        let end = start + path.len();
+        if path.iter().any(is_told) {
+            paths.push(start..end);
         }
-        if let Some(more) = paths.len().checked_sub(told).filter(|&more| 0 < more) {
-            self.page.gap();
-            let more = count(more, "more path");
-            let text = format!("… {more} of light led to the pixel (--all tells them)");
-            self.page.line(Tone::Aside, text);
-        }
+        start = end;
+    }
+    let shown = if all {
+        paths.len()
+    } else {
+        TOLD.min(paths.len())
+    };
+    let (shown, hidden) = paths.split_at(shown);
+    for path in shown {
+        light_path(&context.section(path.clone()), page);
+    }
+    if let (Some(first), Some(last)) = (hidden.first(), hidden.last()) {
+        page.gap();
+        let paths = count(hidden.len(), "more path");
+        let text = format!("… {paths} of light led to the pixel");
+        let extent = Extent::at(first.start).to(Extent::at(last.end - 1));
+        page.telling(extent, |page| page.folded(hidden.len(), text));
     }
 }
 
-impl Solution<'_> {
-    /// One path of light.
-    fn light_path(&mut self) {
-        let Some(number) = self.records.first().and_then(|record| record.path) else {
-            return;
-        };
-        let known = self.paths.get(&number).cloned().unwrap_or_default();
-        self.page.gap();
-        self.page
-            .line(Tone::Heading, self.path_title(number, &known));
-        self.page.indent();
-        let items = self.tree.items.clone();
+/// One path of light.
+fn light_path(context: &Context, page: &mut Pen) {
+    let Some(number) = context.records.first().and_then(|record| record.path) else {
+        return;
+    };
+    let unknown = KnownPath::default();
+    let known = context.paths.get(&number).unwrap_or(&unknown);
+    page.gap();
+    page.line(Tone::Heading, path_title(context, number, known));
+    page.indented(|page| {
         let mut surface = 0;
-        let mut rest = items.as_slice();
+        let mut rest = context.tree.items.as_slice();
         while let Some((first, after)) = rest.split_first() {
-            if let Some((joined, length)) = self.joined(rest) {
+            if let Some((joined, length)) = connection::joined(context, rest) {
                 match joined.connection {
-                    Some(line) if !self.options.all && line.pixel != self.pixel => {
-                        self.line_elsewhere(&line);
+                    Some(line) if !context.options.all && line.pixel != context.pixel => {
+                        let items = rest[..length].iter();
+                        let extent = Extent::around(items.map(|item| context.of_item(item)));
+                        page.telling(extent, |page| {
+                            page.of_part(Part::Contribution, |page| {
+                                line_elsewhere(context, &line, page);
+                            });
+                        });
                     }
-                    _ => self.connect(&joined, &[]),
+                    _ => connection::connect(context, &joined, &[], page),
                 }
                 rest = &rest[length..];
                 continue;
@@ -122,140 +141,143 @@ impl Solution<'_> {
                 continue;
             };
             surface += 1;
-            if self.options.all {
-                self.page.gap();
-                self.ray(place);
+            if context.options.all {
+                page.gap();
+                ray::ray(context, place, page);
             } else {
-                self.leg(place, surface, &known);
+                leg(context, place, surface, known, page);
             }
         }
-        self.page.outdent();
-    }
+    });
+}
 
-    /// `Path 17 of light: from the light lamp, carries 150/768 = 0.195313 W in each channel`
-    fn path_title(&self, number: u32, known: &KnownPath) -> String {
-        let d = Digits::USUAL;
-        let Some(start) = known.start.filter(|_| self.shows(Kind::Path)) else {
-            return format!("Path {number} of light");
-        };
-        let lights = &self.scene.lights;
-        let power: f64 = lights
-            .iter()
-            .map(|light| match light.emission {
-                Emission::Power(power) => power,
-                Emission::Colour(_) => 0.0,
-            })
-            .sum();
-        let of = if lights.len() == 1 {
-            "of the light"
-        } else {
-            "of all lights"
-        };
-        format!(
-            "Path {number} of light: from the light {}, carries {} W in each channel ({} W {of} over {} paths)",
-            self.light_name(start.light),
-            d.number(start.power.x),
-            d.number(power),
-            grouped(u64::from(start.paths))
-        )
-    }
+/// `Path 17 of light: from the light lamp, carries 150/768 = 0.195313 W in each channel`
+fn path_title(context: &Context, number: u32, known: &KnownPath) -> String {
+    let d = Digits::USUAL;
+    let Some(start) = known.start.filter(|_| context.shows(Kind::Path)) else {
+        return format!("Path {number} of light");
+    };
+    let lights = &context.scene.lights;
+    let power: f64 = lights
+        .iter()
+        .map(|light| match light.emission {
+            Emission::Power(power) => power,
+            Emission::Colour(_) => 0.0,
+        })
+        .sum();
+    let of = if lights.len() == 1 {
+        "of the light"
+    } else {
+        "of all lights"
+    };
+    format!(
+        "Path {number} of light: from the light {}, carries {} W in each channel ({} W {of} over {} paths)",
+        context.light_name(start.light),
+        d.number(start.power.x),
+        d.number(power),
+        grouped(u64::from(start.paths))
+    )
+}
 
-    /// One leg of a path in a line, and what of it came to the eye.
-    fn leg(&mut self, place: usize, surface: u32, known: &KnownPath) {
-        let ray = self.tree.rays[place].clone();
-        if self.shows(Kind::Photon) || self.shows(Kind::RayEnd) {
-            let from = match self.leg_before(place) {
-                Some((_, photon)) => self.name(photon.object),
-                None => known
-                    .start
-                    .map_or("the light".into(), |start| self.light_name(start.light)),
-            };
-            let to = self.end_of_leg(&ray, surface, known);
-            self.page.plain(format!("{from} → {to}"));
-        }
-        for item in &ray.items {
-            if let Item::Event(at) = *item
-                && let Event::Arrival(arrival) = self.records[at].event
-            {
-                self.page.indent();
-                self.seen(&arrival);
-                self.page.outdent();
+/// One leg of a path in a line, and what of it came to the eye: all of it is one step.
+fn leg(context: &Context, place: usize, surface: u32, known: &KnownPath, page: &mut Pen) {
+    let ray = &context.tree.rays[place];
+    page.of_ray(ray.id, |page| {
+        page.telling(context.of_ray(place), |page| {
+            if context.shows(Kind::Photon) || context.shows(Kind::RayEnd) {
+                let from = match vertex::leg_before(context, place) {
+                    Some((_, photon)) => context.name(photon.object),
+                    None => known
+                        .start
+                        .map_or("the light".into(), |start| context.light_name(start.light)),
+                };
+                let to = end_of_leg(context, ray, surface, known);
+                page.part(Part::Leg).plain(format!("{from} → {to}"));
             }
-        }
-    }
-
-    /// Where a leg ends, and what becomes of the photon there.
-    fn end_of_leg(&self, ray: &RayNode, surface: u32, known: &KnownPath) -> String {
-        let d = Digits::USUAL;
-        let t = ray.end.and_then(|end| end.t);
-        let at = t.map_or(String::new(), |t| format!(" at t = {}", d.number(t)));
-        let Some(photon) = self.photon_of(ray) else {
-            let carried = known.carried_after(surface - 1);
-            let carried = carried.map_or(String::new(), |power| {
-                format!(" with {}", Carries::Power.amount(power))
-            });
-            return match ray.end.map(|end| (end.outcome, end.object)) {
-                Some((Outcome::CutOff, Some(object))) => format!(
-                    "{}{at}: one surface more than a path may meet, cut off{carried}",
-                    self.name(object)
-                ),
-                Some((Outcome::Miss, _)) => format!("out of the scene{carried}"),
-                _ => format!("?{at}"),
-            };
-        };
-        let chance = d.number(photon.chance);
-        let limit = photon.reflection + photon.transmission;
-        let becomes = match photon.fate {
-            PhotonFate::Mirrored => {
-                format!("mirrored (ξ = {chance} < {})", d.number(photon.reflection))
+            for item in &ray.items {
+                if let Item::Event(at) = *item
+                    && let Event::Arrival(arrival) = context.records[at].event
+                {
+                    page.indented(|page| {
+                        page.of_part(Part::Arrival, |page| seen::seen(context, &arrival, page));
+                    });
+                }
             }
-            PhotonFate::Refracted => format!(
-                "refracted (ξ = {chance} in {}..{})",
-                d.number(photon.reflection),
-                d.number(limit)
+        });
+    });
+}
+
+/// Where a leg ends, and what becomes of the photon there.
+fn end_of_leg(context: &Context, ray: &RayNode, surface: u32, known: &KnownPath) -> String {
+    let d = Digits::USUAL;
+    let t = ray.end.and_then(|end| end.t);
+    let at = t.map_or(String::new(), |t| format!(" at t = {}", d.number(t)));
+    let Some(photon) = vertex::photon_of(context, ray) else {
+        let carried = known.carried_after(surface - 1);
+        let carried = carried.map_or(String::new(), |power| {
+            format!(" with {}", Carries::Power.amount(power))
+        });
+        return match ray.end.map(|end| (end.outcome, end.object)) {
+            Some((Outcome::CutOff, Some(object))) => format!(
+                "{}{at}: one surface more than a path may meet, cut off{carried}",
+                context.name(object)
             ),
-            PhotonFate::Diffused => format!("scattered (ξ = {chance}: {})", channels(&photon)),
-            PhotonFate::Absorbed => format!("absorbed (ξ = {chance})"),
+            Some((Outcome::Miss, _)) => format!("out of the scene{carried}"),
+            _ => format!("?{at}"),
         };
-        let is_stored = |item: &Item| match *item {
-            Item::Event(at) => matches!(self.records[at].event, Event::Stored(_)),
-            Item::Ray(_) => false,
-        };
-        let stored = match ray.items.iter().any(is_stored) {
-            false => "",
-            true if known.gathered.contains(&surface) => "stored and gathered by the pixel; ",
-            true => "stored; ",
-        };
-        format!("{}{at}: {stored}{becomes}", self.name(photon.object))
-    }
-
-    /// A line to the eye that does not come to the pixel that is told.
-    fn line_elsewhere(&mut self, line: &Connection) {
-        if !self.shows(Kind::Connection) {
-            return;
+    };
+    let chance = d.number(photon.chance);
+    let limit = photon.reflection + photon.transmission;
+    let becomes = match photon.fate {
+        PhotonFate::Mirrored => {
+            format!("mirrored (ξ = {chance} < {})", d.number(photon.reflection))
         }
-        let from = self.light_vertex(line.path, usize::from(line.light_vertex));
-        let end = match line.pixel {
-            Some([x, y]) if line.visible => format!("comes to another pixel, ({x}, {y})"),
-            _ => "is blocked".into(),
-        };
-        let text = format!("the line from {} to the eye {end}", from.name);
-        self.page.line(Tone::Aside, text);
-    }
+        PhotonFate::Refracted => format!(
+            "refracted (ξ = {chance} in {}..{})",
+            d.number(photon.reflection),
+            d.number(limit)
+        ),
+        PhotonFate::Diffused => format!("scattered (ξ = {chance}: {})", channels(&photon)),
+        PhotonFate::Absorbed => format!("absorbed (ξ = {chance})"),
+    };
+    let is_stored = |item: &Item| match *item {
+        Item::Event(at) => matches!(context.records[at].event, Event::Stored(_)),
+        Item::Ray(_) => false,
+    };
+    let stored = match ray.items.iter().any(is_stored) {
+        false => "",
+        true if known.gathered.contains(&surface) => "stored and gathered by the pixel; ",
+        true => "stored; ",
+    };
+    format!("{}{at}: {stored}{becomes}", context.name(photon.object))
+}
 
-    /// Of a leg of a path of light that meets nothing more: with what it leaves. Told below its ray.
-    pub(super) fn leaves_with(&self, ray: &RayNode) -> Option<String> {
-        let path = self.records.first()?.path?;
-        let start = ray.start.filter(|start| start.purpose == Purpose::Light)?;
-        let power = self
-            .paths
-            .get(&path)?
-            .carried_after(start.depth.checked_sub(1)?)?;
-        Some(format!(
-            ": {} leaves the scene",
-            Carries::Power.amount(power)
-        ))
+/// A line to the eye that does not come to the pixel that is told.
+fn line_elsewhere(context: &Context, line: &Connection, page: &mut Pen) {
+    if !context.shows(Kind::Connection) {
+        return;
     }
+    let from = vertex::light_vertex(context, line.path, usize::from(line.light_vertex));
+    let end = match line.pixel {
+        Some([x, y]) if line.visible => format!("comes to another pixel, ({x}, {y})"),
+        _ => "is blocked".into(),
+    };
+    let text = format!("the line from {} to the eye {end}", from.name);
+    page.line(Tone::Aside, text);
+}
+
+/// Of a leg of a path of light that meets nothing more: with what it leaves. Told below its ray.
+pub(super) fn leaves_with(context: &Context, ray: &RayNode) -> Option<String> {
+    let path = context.records.first()?.path?;
+    let start = ray.start.filter(|start| start.purpose == Purpose::Light)?;
+    let power = context
+        .paths
+        .get(&path)?
+        .carried_after(start.depth.checked_sub(1)?)?;
+    Some(format!(
+        ": {} leaves the scene",
+        Carries::Power.amount(power)
+    ))
 }
 
 impl KnownPath {

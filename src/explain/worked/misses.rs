@@ -1,10 +1,9 @@
 //! Many misses in a row, summed up by their reason.
 
-use crate::explain::page::Tone;
-use crate::explain::worked::Solution;
+use crate::explain::worked::context::Context;
 use crate::explain::worked::count;
-use crate::explain::worked::steps::Course;
-use crate::explain::worked::steps::{Step, Test};
+use crate::explain::worked::pen::Pen;
+use crate::explain::worked::steps::{Course, Step, Test, Told};
 use crate::geometry::{Fate, PlaneVerdict, Roots};
 use crate::trace::{Kind, Purpose};
 
@@ -14,81 +13,77 @@ pub(super) const FOLDED_FROM: usize = 24;
 /// A run of misses longer than this is summed up, after its first.
 pub(super) const LONGEST_UNFOLDED: usize = 3;
 
-impl Solution<'_> {
-    /// A run of misses: how many for which reason.
-    pub(super) fn folded(&mut self, run: &[Step], course: &Course) {
-        let beyond = match course.start {
-            Some(start) if start.purpose == Purpose::Shadow => "beyond the light",
-            _ => "further than what is met already",
+/// A run of misses: how many for which reason.
+pub(super) fn folded(context: &Context, run: &[Told], course: &Course, page: &mut Pen) {
+    let beyond = match course.start {
+        Some(start) if start.purpose == Purpose::Shadow => "beyond the light",
+        _ => "further than what is met already",
+    };
+    let mut reasons: Vec<(&str, usize)> = Vec::new();
+    let mut sum = 0;
+    for told in run {
+        let Step::Test { test, .. } = &told.step else {
+            continue;
         };
-        let mut reasons: Vec<(&str, usize)> = Vec::new();
-        let mut sum = 0;
-        for step in run {
-            let Step::Test { test, .. } = step else {
-                continue;
-            };
-            let Some(reason) = self.reason(test, beyond) else {
-                continue;
-            };
-            sum += 1;
-            match reasons.iter_mut().find(|(known, _)| *known == reason) {
-                Some((_, number)) => *number += 1,
-                None => reasons.push((reason, 1)),
-            }
+        let Some(reason) = reason_of(context, test, beyond) else {
+            continue;
+        };
+        sum += 1;
+        match reasons.iter_mut().find(|(known, _)| *known == reason) {
+            Some((_, number)) => *number += 1,
+            None => reasons.push((reason, 1)),
         }
-        if sum == 0 {
-            return;
-        }
-        let list: Vec<_> = reasons
-            .iter()
-            .map(|(reason, number)| format!("{number} {reason}"))
-            .collect();
-        let text = format!(
-            "… {} missed: {} (--all works them out)",
-            count(sum, "more object"),
-            list.join(", ")
-        );
-        self.page.line(Tone::Aside, text);
     }
+    if sum == 0 {
+        return;
+    }
+    let list: Vec<_> = reasons
+        .iter()
+        .map(|(reason, number)| format!("{number} {reason}"))
+        .collect();
+    let text = format!(
+        "… {} missed: {}",
+        count(sum, "more object"),
+        list.join(", ")
+    );
+    page.folded(sum, text);
+}
 
-    /// Why the object was missed, if its kind is shown.
-    fn reason(&self, test: &Test, beyond: &'static str) -> Option<&'static str> {
-        let fate = |fate| match fate {
-            Fate::BeyondNearest => beyond,
-            Fate::Chosen => "met",
-            Fate::Behind => "behind the origin",
-            Fate::BelowEpsilon => "where the ray starts (t is 0 within ε)",
-            Fate::BackFace => "showing their back",
-            Fate::FrontFace => "showing their front",
-            Fate::BeyondEnds => "met beyond their ends",
-        };
-        let roots = |roots: &Roots| match roots.iter().last() {
-            None => "without a real root",
-            Some(far) => fate(far.fate),
-        };
-        let (kind, reason) = match test {
-            Test::Sphere(test) => (Kind::SphereTest, roots(&test.roots)),
-            Test::Ellipsoid(test) => (Kind::EllipsoidTest, roots(&test.roots)),
-            Test::Cone(test) => (Kind::ConeTest, roots(&test.roots)),
-            Test::Box(test) => match test.roots {
-                Roots::None => (Kind::BoxTest, "whose slabs have no t in common"),
-                _ => (Kind::BoxTest, roots(&test.roots)),
+/// Why the object was missed, if its kind is shown.
+fn reason_of(context: &Context, test: &Test, beyond: &'static str) -> Option<&'static str> {
+    let fate = |fate| match fate {
+        Fate::BeyondNearest => beyond,
+        Fate::Chosen => "met",
+        Fate::Behind => "behind the origin",
+        Fate::BelowEpsilon => "where the ray starts (t is 0 within ε)",
+        Fate::BackFace => "showing their back",
+        Fate::FrontFace => "showing their front",
+        Fate::BeyondEnds => "met beyond their ends",
+    };
+    let roots = |roots: &Roots| match roots.iter().last() {
+        None => "without a real root",
+        Some(far) => fate(far.fate),
+    };
+    let (kind, reason) = match test {
+        Test::Sphere(test) => (Kind::SphereTest, roots(&test.roots)),
+        Test::Ellipsoid(test) => (Kind::EllipsoidTest, roots(&test.roots)),
+        Test::Cone(test) => (Kind::ConeTest, roots(&test.roots)),
+        Test::Box(test) => match test.roots {
+            Roots::None => (Kind::BoxTest, "whose slabs have no t in common"),
+            _ => (Kind::BoxTest, roots(&test.roots)),
+        },
+        Test::Polygon { plane, inside, .. } => match (plane, inside) {
+            (_, Some(_)) => (
+                Kind::PolygonTest,
+                "whose plane is met outside of the outline",
+            ),
+            (Some(plane), None) => match plane.working.verdict {
+                PlaneVerdict::Meets(root) => (Kind::PlaneTest, fate(root.fate)),
+                PlaneVerdict::ParallelBeside => (Kind::PlaneTest, "parallel to the ray"),
+                PlaneVerdict::ParallelWithin => (Kind::PlaneTest, "in whose plane the ray lies"),
             },
-            Test::Polygon { plane, inside, .. } => match (plane, inside) {
-                (_, Some(_)) => (
-                    Kind::PolygonTest,
-                    "whose plane is met outside of the outline",
-                ),
-                (Some(plane), None) => match plane.verdict {
-                    PlaneVerdict::Meets(root) => (Kind::PlaneTest, fate(root.fate)),
-                    PlaneVerdict::ParallelBeside => (Kind::PlaneTest, "parallel to the ray"),
-                    PlaneVerdict::ParallelWithin => {
-                        (Kind::PlaneTest, "in whose plane the ray lies")
-                    }
-                },
-                (None, None) => return None,
-            },
-        };
-        self.shows(kind).then_some(reason)
-    }
+            (None, None) => return None,
+        },
+    };
+    context.shows(kind).then_some(reason)
 }

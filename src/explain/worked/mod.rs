@@ -8,13 +8,17 @@
 mod aligned;
 mod arrival;
 mod bare;
+mod building;
 mod cells;
 mod connection;
+mod context;
+mod extent;
 mod gathered;
 mod leaves;
 mod light_path;
 mod misses;
 mod nodes;
+mod pen;
 mod photon;
 mod pixel;
 mod polygon;
@@ -23,6 +27,7 @@ mod ray;
 mod ray_start;
 mod search;
 mod seen;
+mod settle;
 mod shade;
 mod slabs;
 mod steps;
@@ -31,20 +36,15 @@ mod vertex;
 mod volumes;
 mod weight;
 
-use std::cell::OnceCell;
-use std::collections::BTreeMap;
-
-use crate::explain::page::{Page, Tone};
-use crate::explain::printable;
-use crate::explain::worked::leaves::Leaves;
+use crate::explain::page::Page;
+use crate::explain::worked::bare::BuiltAgain;
+use crate::explain::worked::context::Context;
 use crate::explain::worked::light_path::KnownPath;
-use crate::explain::worked::search::BUILDING;
-use crate::geometry::MOST_SLABS;
-use crate::scene::{PrimitiveId, Scene};
-use crate::structure::{BareGrid, Hierarchy};
-use crate::trace::{Event, Kind, Kinds, RayTree, Record, Settings};
+use crate::explain::worked::pen::Pen;
+use crate::scene::Scene;
+use crate::trace::{Kinds, Record, Settings};
 
-/// What of the working is printed, and how.
+/// What of the working is shown.
 #[derive(Clone, Copy, Debug)]
 pub struct WorkedOptions {
     /// The kinds of event.
@@ -53,8 +53,6 @@ pub struct WorkedOptions {
     pub ray: Option<u32>,
     /// Every test in full, also where many miss.
     pub all: bool,
-    /// With ANSI colours.
-    pub colour: bool,
 }
 
 impl Default for WorkedOptions {
@@ -63,131 +61,45 @@ impl Default for WorkedOptions {
             kinds: Kinds::ALL,
             ray: None,
             all: false,
-            colour: false,
         }
     }
 }
 
 /// The worked solution of a pixel, from its records alone; `scene` says what the objects are.
+///
+/// Each event belongs to the steps of one line or more, but for a heading's: lines about the same events have the same
+/// steps, and other lines have others. With some `kinds` or one `ray` alone that holds for the events of these.
 pub fn worked_solution(
     scene: &Scene,
     settings: &Settings,
     records: &[Record],
     options: &WorkedOptions,
-) -> String {
-    let pixel = records.iter().find_map(|record| record.pixel);
-    let mut solution = Solution {
-        scene,
-        settings,
-        options,
-        pixel,
-        paths: KnownPath::all(records),
-        records: &[],
-        tree: RayTree::default(),
-        hierarchy: OnceCell::new(),
-        grid: OnceCell::new(),
-        page: Page::new(options.colour),
-    };
-    solution.write(records);
-    solution.page.into_text()
-}
+) -> Page {
+    // what is built comes first, then the paths; all that follows is the pixel's
+    let built = length(records, |record| record.event.kind().is_of_building());
+    let led = built + length(&records[built..], |record| record.path.is_some());
+    let known = KnownPath::all(records);
+    let again = BuiltAgain::default();
+    let context = Context::new(scene, settings, options, &known, &again, records);
 
-/// What a solution is written from, and the page it is written on.
-struct Solution<'a> {
-    scene: &'a Scene,
-    settings: &'a Settings,
-    options: &'a WorkedOptions,
-    /// The pixel; a filtered log may hold nothing of it.
-    pixel: Option<[u32; 2]>,
-    /// The paths of light that led to it.
-    paths: BTreeMap<u32, KnownPath>,
-    /// The part that is told now: the building, a path of light, or the pixel.
-    records: &'a [Record],
-    /// Its rays, whose numbers begin at 0 in each part.
-    tree: RayTree,
-    /// The hierarchy, built again where the log says too little of its bounds.
-    hierarchy: OnceCell<Hierarchy<MOST_SLABS>>,
-    /// The grid without room, built again once it is asked for.
-    grid: OnceCell<BareGrid>,
-    page: Page,
-}
-
-impl<'a> Solution<'a> {
-    fn write(&mut self, records: &'a [Record]) {
-        // what is built comes first, then the paths; all that follows is the pixel's
-        let is_built = |record: &Record| record.event.kind().is_of_building();
-        let (building, traced) = split(records, is_built);
-        let (paths, pixel) = split(traced, |record| record.path.is_some());
-
-        self.title();
-        if let Some(id) = self.options.ray {
-            self.turn_to(pixel);
-            return self.one_ray(id);
-        }
-        self.turn_to(building);
-        self.building();
-        self.light_paths(paths);
-        self.turn_to(pixel);
-        self.pixel();
+    let mut page = Pen::default();
+    title::title(&context, &mut page);
+    let mut of_page = 0..records.len();
+    if let Some(ray) = options.ray {
+        let shown = pixel::one_ray(&context.section(led..records.len()), ray, &mut page);
+        of_page = shown.map_or(0..0, |shown| shown.first..shown.last + 1);
+    } else {
+        building::building(&context.section(0..built), &mut page);
+        light_path::light_paths(&context, built..led, &mut page);
+        pixel::pixel(&context.section(led..records.len()), &mut page);
     }
-
-    /// What follows is told of these records.
-    fn turn_to(&mut self, records: &'a [Record]) {
-        self.records = records;
-        self.tree = RayTree::new(records);
-    }
+    settle::settle(page.into_drafts(), records, of_page, options.kinds)
 }
 
-/// Those at the beginning of which something holds, and the rest.
-fn split(records: &[Record], holds: impl Fn(&Record) -> bool) -> (&[Record], &[Record]) {
+/// Of how many at the beginning something holds.
+fn length(records: &[Record], holds: impl Fn(&Record) -> bool) -> usize {
     let first = records.iter().position(|record| !holds(record));
-    records.split_at(first.unwrap_or(records.len()))
-}
-
-impl Solution<'_> {
-    /// How the structure was built, if that was recorded; in part, unless all is asked for.
-    fn building(&mut self) {
-        /// More lines than a screen has would hide the pixel.
-        const SHOWN: usize = 24;
-        let built: Vec<Event> = self
-            .records
-            .iter()
-            .map(|record| record.event)
-            .filter(|event| BUILDING.contains(&event.kind()) && self.shows(event.kind()))
-            .collect();
-        if built.is_empty() {
-            return;
-        }
-        let shown = if self.options.all { built.len() } else { SHOWN };
-        self.page.gap();
-        self.page.line(Tone::Heading, "Built before the first ray");
-        self.page.indent();
-        let leaves = OnceCell::new();
-        for event in built.iter().take(shown) {
-            match event {
-                Event::Merge(step) => self.merge(step, leaves.get_or_init(|| Leaves::of(self))),
-                Event::Assign(step) => self.assign(step),
-                _ => {}
-            }
-        }
-        if let Some(more) = built.len().checked_sub(shown).filter(|&more| 0 < more) {
-            let text = format!("… {} (--all tells them)", count(more, "more step"));
-            self.page.line(Tone::Aside, text);
-        }
-        self.page.outdent();
-    }
-
-    fn shows(&self, kind: Kind) -> bool {
-        self.options.kinds.contains(kind)
-    }
-
-    /// A primitive as it is called in the text.
-    fn name(&self, id: PrimitiveId) -> String {
-        match self.scene.name_of(id) {
-            (name, None) => printable(name),
-            (name, Some(face)) => format!("{} face {face}", printable(name)),
-        }
-    }
+    first.unwrap_or(records.len())
 }
 
 /// A number of things: `1 object`, `4 objects`.

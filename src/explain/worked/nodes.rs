@@ -2,94 +2,93 @@
 
 use crate::explain::number::Digits;
 use crate::explain::page::Tone;
-use crate::explain::worked::Solution;
+use crate::explain::worked::context::Context;
 use crate::explain::worked::count;
 use crate::explain::worked::leaves::Leaves;
+use crate::explain::worked::pen::Pen;
 use crate::explain::worked::search::refused_node;
 use crate::explain::worked::steps::Course;
 use crate::structure::MergeStep;
 use crate::trace::{NodeOutcome, NodeVisit, QueueAction, QueueStep};
 
-impl Solution<'_> {
-    /// What became of a node. One that was refused a line before needs no second line.
-    pub(super) fn node(&mut self, visit: &NodeVisit, course: &Course) {
-        let told = course.last.filter(|last| self.shows(last.kind()));
-        if refused_node(told.as_ref()) == Some(visit.node) {
-            return;
-        }
-        let d = Digits::USUAL;
-        let below = if visit.children == 0 {
-            format!("a leaf with {}", count(visit.objects as usize, "object"))
-        } else {
-            format!("with {}", count(visit.children as usize, "child node"))
-        };
-        let node = format!("Node {}, depth {}, {below}", visit.node, visit.depth);
-        let near = visit.near.map_or(String::new(), |near| d.number(near));
-        match visit.outcome {
-            NodeOutcome::Entered => self.page.line(Tone::Found, format!("{node}: entered")),
-            NodeOutcome::Rejected => self.page.line(Tone::Refused, format!("{node}: rejected")),
-            NodeOutcome::Pruned => self.page.line(
-                Tone::Refused,
-                format!("{node}: pruned, it begins at {near}, behind the nearest hit by now"),
-            ),
-        }
+/// What became of a node. One that was refused a line before needs no second line.
+pub(super) fn node(context: &Context, visit: &NodeVisit, course: &Course, page: &mut Pen) {
+    let told = course.last.filter(|last| context.shows(last.kind()));
+    if refused_node(told.as_ref()) == Some(visit.node) {
+        return;
     }
+    let d = Digits::USUAL;
+    let below = if visit.children == 0 {
+        format!("a leaf with {}", count(visit.objects as usize, "object"))
+    } else {
+        format!("with {}", count(visit.children as usize, "child node"))
+    };
+    let node = format!("Node {}, depth {}, {below}", visit.node, visit.depth);
+    let near = visit.near.map_or(String::new(), |near| d.number(near));
+    match visit.outcome {
+        NodeOutcome::Entered => page.line(Tone::Found, format!("{node}: entered")),
+        NodeOutcome::Rejected => page.line(Tone::Refused, format!("{node}: rejected")),
+        NodeOutcome::Pruned => page.line(
+            Tone::Refused,
+            format!("{node}: pruned, it begins at {near}, behind the nearest hit by now"),
+        ),
+    }
+}
 
-    /// A node goes into the heap or comes out of it.
-    pub(super) fn queue(&mut self, step: &QueueStep, course: &Course) {
-        let d = Digits::USUAL;
-        // a bound that the ray starts in is entered before any t counts
-        let starts = course
-            .start
-            .is_some_and(|start| start.range.min == step.key);
-        let inside = if starts {
-            " (the ray starts in it)"
-        } else {
-            ""
-        };
-        let (node, key) = (step.node, d.number(step.key));
-        let waiting = match step.size {
-            0 => "none waits".into(),
-            1 => "1 node waits".into(),
-            size => format!("{size} nodes wait"),
-        };
-        let text = match step.action {
-            QueueAction::Push => {
-                format!("heap: node {node} goes in with key {key}{inside}; {waiting}")
-            }
-            QueueAction::Pop => format!("heap: node {node} is the nearest, key {key}; {waiting}"),
-            QueueAction::Stop => {
-                let left = match step.size {
-                    0 => String::new(),
-                    1 => ", and 1 other node is not looked at".into(),
-                    size => format!(", and {size} other nodes are not looked at"),
-                };
-                format!(
-                    "heap: the nearest node, {node}, has key {key}, behind the nearest hit: the search \
+/// A node goes into the heap or comes out of it.
+pub(super) fn queue(step: &QueueStep, course: &Course, page: &mut Pen) {
+    let d = Digits::USUAL;
+    // a bound that the ray starts in is entered before any t counts
+    let starts = course
+        .start
+        .is_some_and(|start| start.range.min == step.key);
+    let inside = if starts {
+        " (the ray starts in it)"
+    } else {
+        ""
+    };
+    let (node, key) = (step.node, d.number(step.key));
+    let waiting = match step.size {
+        0 => "none waits".into(),
+        1 => "1 node waits".into(),
+        size => format!("{size} nodes wait"),
+    };
+    let text = match step.action {
+        QueueAction::Push => {
+            format!("heap: node {node} goes in with key {key}{inside}; {waiting}")
+        }
+        QueueAction::Pop => format!("heap: node {node} is the nearest, key {key}; {waiting}"),
+        QueueAction::Stop => {
+            let left = match step.size {
+                0 => String::new(),
+                1 => ", and 1 other node is not looked at".into(),
+                size => format!(", and {size} other nodes are not looked at"),
+            };
+            format!(
+                "heap: the nearest node, {node}, has key {key}, behind the nearest hit: the search \
                      ends{left}"
-                )
-            }
-        };
-        self.page.line(Tone::Aside, text);
-    }
+            )
+        }
+    };
+    page.line(Tone::Aside, text);
+}
 
-    /// D_min and D_max of two volumes together.
-    pub(super) fn merge(&mut self, step: &MergeStep, leaves: &Leaves) {
-        let d = Digits::USUAL;
-        let ([a_min, b_min], [a_max, b_max]) = (step.d_min, step.d_max);
-        let (d_min, d_max) = step.joined();
-        self.page.plain(format!(
-            "node {} from {} and {}, slab {}: D_min = min({}, {}) = {}, D_max = max({}, {}) = {}",
-            step.node,
-            leaves.name(step.first, self),
-            leaves.name(step.second, self),
-            step.slab,
-            d.number(a_min),
-            d.number(b_min),
-            d.number(d_min),
-            d.number(a_max),
-            d.number(b_max),
-            d.number(d_max)
-        ));
-    }
+/// D_min and D_max of two volumes together.
+pub(super) fn merge(context: &Context, step: &MergeStep, leaves: &Leaves, page: &mut Pen) {
+    let d = Digits::USUAL;
+    let ([a_min, b_min], [a_max, b_max]) = (step.d_min, step.d_max);
+    let (d_min, d_max) = step.joined();
+    page.plain(format!(
+        "node {} from {} and {}, slab {}: D_min = min({}, {}) = {}, D_max = max({}, {}) = {}",
+        step.node,
+        leaves.name(step.first, context),
+        leaves.name(step.second, context),
+        step.slab,
+        d.number(a_min),
+        d.number(b_min),
+        d.number(d_min),
+        d.number(a_max),
+        d.number(b_max),
+        d.number(d_max)
+    ));
 }

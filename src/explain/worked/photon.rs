@@ -8,31 +8,32 @@ use glam::DVec3;
 
 use crate::explain::number::Digits;
 use crate::explain::page::Tone;
-use crate::explain::worked::Solution;
+use crate::explain::worked::context::Context;
+use crate::explain::worked::pen::Pen;
 use crate::explain::worked::steps::Course;
+use crate::explain::worked::vertex;
 use crate::trace::{Kind, Photon, PhotonFate, Purpose, RayStart, Stored};
 
 /// The channels of a colour.
 const CHANNELS: [&str; 3] = ["red", "green", "blue"];
 
-impl Solution<'_> {
-    /// Chance decides at a surface.
-    pub(super) fn photon(&mut self, photon: &Photon, course: &Course) {
-        if !self.shows(Kind::Photon) {
-            return;
-        }
-        let d = Digits::USUAL;
-        let carries = Carries::along(course.start);
-        let chance = d.number(photon.chance);
-        self.page.plain(format!(
-            "Chance decides: ξ = {chance}; {} arrives",
-            carries.amount(photon.power)
-        ));
-        self.page.indent();
-        let material = self.scene.material_of(photon.object);
+/// Chance decides at a surface.
+pub(super) fn photon(context: &Context, photon: &Photon, course: &Course, page: &mut Pen) {
+    if !context.shows(Kind::Photon) {
+        return;
+    }
+    let d = Digits::USUAL;
+    let carries = Carries::along(course.start);
+    let chance = d.number(photon.chance);
+    page.plain(format!(
+        "Chance decides: ξ = {chance}; {} arrives",
+        carries.amount(photon.power)
+    ));
+    page.indented(|page| {
+        let material = context.scene.material_of(photon.object);
         let (reflection, transmission) = (photon.reflection, photon.transmission);
         if photon.transmission == 0.0 && 0.0 < material.transmission {
-            self.page.plain(format!(
+            page.plain(format!(
                 "total internal reflection: the reflection takes over the transmission, {} + {} = {}",
                 d.number(material.reflection),
                 d.number(material.transmission),
@@ -41,11 +42,11 @@ impl Solution<'_> {
         }
         if 0.0 < reflection {
             let text = format!("reflection: {}", below(photon.chance, reflection));
-            self.page.plain(text);
+            page.plain(text);
         }
         let limit = reflection + transmission;
         if photon.fate != PhotonFate::Mirrored && 0.0 < transmission {
-            self.page.plain(format!(
+            page.plain(format!(
                 "reflection + transmission = {} + {} = {}: {}",
                 d.number(reflection),
                 d.number(transmission),
@@ -66,7 +67,7 @@ impl Solution<'_> {
                 let sum = d.vector(first + second);
                 format!("{} + {} = {sum}", d.vector(first), d.vector(second))
             };
-            self.page.plain(format!(
+            page.plain(format!(
                 "{before} = {sum}, and ξ is below where a channel goes on: {}",
                 channels(photon)
             ));
@@ -91,51 +92,50 @@ impl Solution<'_> {
                 Carries::Weight => format!("; {} of it is lost", d.vector(absorbed)),
             }
         };
-        self.page.line(tone, format!("→ {on} {verdict}{absorbed}"));
-        self.page.outdent();
-    }
+        page.line(tone, format!("→ {on} {verdict}{absorbed}"));
+        });
+}
 
-    /// A photon is stored where it meets a diffuse surface.
-    pub(super) fn stored(&mut self, stored: &Stored) {
-        if !self.shows(Kind::Stored) {
-            return;
-        }
-        let d = Digits::USUAL;
-        self.page.line(
-            Tone::Found,
-            format!(
-                "→ stored on {} at {}, on the side of {}: {}",
-                self.name(stored.object),
-                d.vector(stored.point),
-                d.vector(stored.normal),
-                Carries::Power.amount(stored.power)
-            ),
-        );
+/// A photon is stored where it meets a diffuse surface.
+pub(super) fn stored(context: &Context, stored: &Stored, page: &mut Pen) {
+    if !context.shows(Kind::Stored) {
+        return;
     }
+    let d = Digits::USUAL;
+    page.line(
+        Tone::Found,
+        format!(
+            "→ stored on {} at {}, on the side of {}: {}",
+            context.name(stored.object),
+            d.vector(stored.point),
+            d.vector(stored.normal),
+            Carries::Power.amount(stored.power)
+        ),
+    );
+}
 
-    /// How a path goes on from the surface before: its direction.
-    pub(super) fn direction_of_leg(&self, place: usize) -> Option<String> {
-        let d = Digits::USUAL;
-        let direction = self.tree.rays[place].start?.ray.direction;
-        let (before, photon) = self.leg_before(place)?;
-        let incoming = before.start?.ray.direction;
-        let normal = self.normal_towards(&photon, -incoming);
-        Some(match photon.fate {
-            PhotonFate::Mirrored => format!(
-                "Δ = Δ' - 2(Δ'·N)N = {} - 2·{}·{} = {}, with Δ' the direction it came in",
-                d.vector(incoming),
-                d.factor(incoming.dot(normal)),
-                d.vector(normal),
-                d.vector(direction)
-            ),
-            PhotonFate::Refracted => format!("Δ = T = {}", d.vector(direction)),
-            PhotonFate::Diffused | PhotonFate::Absorbed => format!(
-                "Δ = {}: a direction of chance around N = {}, with a density of cos θ/π per steradian",
-                d.vector(direction),
-                d.vector(normal)
-            ),
-        })
-    }
+/// How a path goes on from the surface before: its direction.
+pub(super) fn direction_of_leg(context: &Context, place: usize) -> Option<String> {
+    let d = Digits::USUAL;
+    let direction = context.tree.rays[place].start?.ray.direction;
+    let (before, photon) = vertex::leg_before(context, place)?;
+    let incoming = before.start?.ray.direction;
+    let normal = vertex::normal_towards(context, &photon, -incoming);
+    Some(match photon.fate {
+        PhotonFate::Mirrored => format!(
+            "Δ = Δ' - 2(Δ'·N)N = {} - 2·{}·{} = {}, with Δ' the direction it came in",
+            d.vector(incoming),
+            d.factor(incoming.dot(normal)),
+            d.vector(normal),
+            d.vector(direction)
+        ),
+        PhotonFate::Refracted => format!("Δ = T = {}", d.vector(direction)),
+        PhotonFate::Diffused | PhotonFate::Absorbed => format!(
+            "Δ = {}: a direction of chance around N = {}, with a density of cos θ/π per steradian",
+            d.vector(direction),
+            d.vector(normal)
+        ),
+    })
 }
 
 /// What is carried along a path.

@@ -2,9 +2,14 @@
 
 use crate::explain::number::Digits;
 use crate::explain::page::Tone;
+use crate::explain::part::Part;
+use crate::explain::worked::context::Context;
+use crate::explain::worked::count;
+use crate::explain::worked::extent::Extent;
+use crate::explain::worked::pen::Pen;
+use crate::explain::worked::quadratic;
 use crate::explain::worked::quadratic::fate;
-use crate::explain::worked::steps::Course;
-use crate::explain::worked::{Solution, count};
+use crate::explain::worked::steps::{Course, Noted};
 use crate::geometry::{Axis, DecidedBy, EdgeTest, PlaneTest, PlaneVerdict, PolygonTest};
 use crate::scene::{PrimitiveId, Shape};
 use crate::trace::Kind;
@@ -14,195 +19,204 @@ const EDGES_SHOWN: usize = 8;
 
 /// What a log says of a polygon: its plane, its edges, the verdict.
 type Working<'w> = (
-    Option<&'w PlaneTest>,
-    &'w [EdgeTest],
-    Option<&'w PolygonTest>,
+    Option<&'w Noted<PlaneTest>>,
+    &'w [Noted<EdgeTest>],
+    Option<&'w Noted<PolygonTest>>,
 );
 
-impl Solution<'_> {
-    /// Plane, point, edges and verdict.
-    pub(super) fn polygon(
-        &mut self,
-        object: PrimitiveId,
-        (plane, edges, inside): Working<'_>,
-        course: &Course,
-        full: bool,
-    ) {
-        let Shape::Polygon(polygon) = &self.scene.primitive(object).shape else {
-            return;
-        };
-        let vertices = polygon.vertices().len();
-        let what = format!("polygon of {vertices} vertices");
-        self.object_line(object, &what);
-        self.page.indent();
-        if let Some(plane) = plane.filter(|_| self.shows(Kind::PlaneTest)) {
-            self.plane(plane, course, full);
+/// Plane, point, edges and verdict.
+pub(super) fn polygon(
+    context: &Context,
+    object: PrimitiveId,
+    (of_plane, of_edges, inside): Working<'_>,
+    course: &Course,
+    full: bool,
+    page: &mut Pen,
+) {
+    let Shape::Polygon(polygon) = &context.scene.primitive(object).shape else {
+        return;
+    };
+    let vertices = polygon.vertices().len();
+    let what = format!("polygon of {vertices} vertices");
+    quadratic::object_line(context, object, &what, page);
+    page.indented(|page| {
+        if let Some(test) = of_plane.filter(|_| context.shows(Kind::PlaneTest)) {
+            page.telling(test.extent, |page| {
+                page.of_part(Part::PlaneT, |page| {
+                    plane(&test.working, course, full, page);
+                });
+            });
         }
-        if let Some(inside) = inside {
-            if self.shows(Kind::PolygonTest) {
-                self.projection(inside, course);
+        let Some(inside) = inside else { return };
+        page.telling(inside.extent, |page| {
+            let inside = &inside.working;
+            if context.shows(Kind::PolygonTest) {
+                projection(inside, course, page);
             }
-            if self.shows(Kind::Edge) && (full || inside.decided_by == DecidedBy::Ray) {
-                self.edges(edges, inside);
+            if context.shows(Kind::Edge) && (full || inside.decided_by == DecidedBy::Ray) {
+                page.of_part(Part::Crossings, |page| {
+                    edges(context, of_edges, inside, page);
+                });
             }
-            if self.shows(Kind::PolygonTest) {
-                let number = count(inside.crossings as usize, "crossing");
-                if inside.inside {
-                    self.page.line(
-                        Tone::Found,
-                        format!("{number}, an odd number: p lies inside, a hit"),
-                    );
-                } else {
-                    self.page.line(
-                        Tone::Refused,
-                        format!("{number}, an even number: p lies outside, missed"),
-                    );
-                }
+            if context.shows(Kind::PolygonTest) {
+                verdict(inside, page);
             }
-        }
-        self.page.outdent();
-    }
+        });
+    });
+}
 
-    /// t = −(A·x₀ + B·y₀ + C·z₀ + D)/(A·Δx + B·Δy + C·Δz) … (v)
-    fn plane(&mut self, test: &PlaneTest, course: &Course, full: bool) {
-        let plane = test.plane;
-        let [x, y, z] = plane.normal.to_array();
-        let terms = |o: glam::DVec3| {
-            let parts = plane.normal.abs() * o.abs();
-            parts.element_sum()
+/// How many edges count, and what follows from that.
+fn verdict(test: &PolygonTest, page: &mut Pen) {
+    let number = count(test.crossings as usize, "crossing");
+    let (tone, verdict) = if test.inside {
+        (Tone::Found, "an odd number: p lies inside, a hit")
+    } else {
+        (Tone::Refused, "an even number: p lies outside, missed")
+    };
+    page.part(Part::InsideOut)
+        .line(tone, format!("{number}, {verdict}"));
+}
+
+/// t = −(A·x₀ + B·y₀ + C·z₀ + D)/(A·Δx + B·Δy + C·Δz) … (v)
+fn plane(test: &PlaneTest, course: &Course, full: bool, page: &mut Pen) {
+    let plane = test.plane;
+    let [x, y, z] = plane.normal.to_array();
+    let terms = |o: glam::DVec3| {
+        let parts = plane.normal.abs() * o.abs();
+        parts.element_sum()
+    };
+    let d = match course.ray() {
+        Some(ray) => Digits::for_difference(terms(ray.origin) + plane.d.abs(), test.numerator).or(
+            Digits::for_difference(terms(ray.direction), test.denominator),
+        ),
+        None => Digits::USUAL,
+    };
+    let equation = format!(
+        "{}·x {}·y {}·z {} = 0 … (iv)",
+        d.number(x),
+        d.term(y),
+        d.term(z),
+        d.term(plane.d)
+    );
+    let PlaneVerdict::Meets(root) = test.verdict else {
+        page.part(Part::Plane).plain(equation);
+        let within = test.verdict == PlaneVerdict::ParallelWithin;
+        let verdict = if within {
+            "numerator and denominator of (v) are 0: the ray lies in the plane, no intersection"
+        } else {
+            "the denominator of (v) is 0: the ray is parallel to the plane, no intersection"
         };
-        let d = match course.ray() {
-            Some(ray) => {
-                Digits::for_difference(terms(ray.origin) + plane.d.abs(), test.numerator).or(
-                    Digits::for_difference(terms(ray.direction), test.denominator),
-                )
-            }
-            None => Digits::USUAL,
-        };
-        let equation = format!(
-            "{}·x {}·y {}·z {} = 0 … (iv)",
-            d.number(x),
-            d.term(y),
-            d.term(z),
-            d.term(plane.d)
-        );
-        let PlaneVerdict::Meets(root) = test.verdict else {
-            self.page.plain(equation);
-            let within = test.verdict == PlaneVerdict::ParallelWithin;
-            let verdict = if within {
-                "numerator and denominator of (v) are 0: the ray lies in the plane, no intersection"
-            } else {
-                "the denominator of (v) is 0: the ray is parallel to the plane, no intersection"
-            };
-            self.page.line(Tone::Refused, verdict);
-            return;
-        };
-        self.page.plain(equation);
-        // a flat ray's t may have been moved from here, most often by less than is printed
-        let quotient = -test.numerator / test.denominator;
-        match course.ray().filter(|_| full) {
-            Some(ray) => {
-                self.page
-                    .plain("t = -(A·x₀ + B·y₀ + C·z₀ + D)/(A·Δx + B·Δy + C·Δz) … (v)");
-                self.page.plain(format!(
-                    "  = -({} {})/({})",
-                    d.dot(plane.normal, ray.origin),
-                    d.term(plane.d),
-                    d.dot(plane.normal, ray.direction)
-                ));
-                self.page.plain(format!(
-                    "  = -{}/{} = {}",
-                    d.factor(test.numerator),
-                    d.factor(test.denominator),
-                    d.number(quotient)
-                ));
-            }
-            None => self.page.plain(format!(
-                "t = -{}/{} = {} … (v)",
+        page.line(Tone::Refused, verdict);
+        return;
+    };
+    page.part(Part::Plane).plain(equation);
+    // a flat ray's t may have been moved from here, most often by less than is printed
+    let quotient = -test.numerator / test.denominator;
+    match course.ray().filter(|_| full) {
+        Some(ray) => {
+            page.plain("t = -(A·x₀ + B·y₀ + C·z₀ + D)/(A·Δx + B·Δy + C·Δz) … (v)");
+            page.plain(format!(
+                "  = -({} {})/({})",
+                d.dot(plane.normal, ray.origin),
+                d.term(plane.d),
+                d.dot(plane.normal, ray.direction)
+            ));
+            page.plain(format!(
+                "  = -{}/{} = {}",
                 d.factor(test.numerator),
                 d.factor(test.denominator),
                 d.number(quotient)
-            )),
-        }
-        if d.number(quotient) != d.number(root.t) {
-            self.page.plain(format!(
-                "so flat a ray stretches the rounding: the nearest t within the outline is {}",
-                d.number(root.t)
             ));
         }
-        if test.chosen().is_none() {
-            let text = format!("{}: missed", fate(root, None, course));
-            self.page.line(Tone::Refused, text);
-        }
+        None => page.plain(format!(
+            "t = -{}/{} = {} … (v)",
+            d.factor(test.numerator),
+            d.factor(test.denominator),
+            d.number(quotient)
+        )),
     }
-
-    /// p, the dropped coordinate and p′.
-    fn projection(&mut self, test: &PolygonTest, course: &Course) {
-        let d = Digits::USUAL;
-        if course.aligned.is_some() {
-            self.page.plain(format!(
-                "p = {} lies on the z axis; z is dropped, along the ray: p' = {}",
-                d.vector(test.point),
-                d.point(test.projected)
-            ));
-            return;
-        }
-        let (letter, coefficient) = match test.dropped {
-            Axis::X => ("x", "A"),
-            Axis::Y => ("y", "B"),
-            Axis::Z => ("z", "C"),
-        };
-        self.page.plain(format!(
-            "p = o + t·Δ = {}; |{coefficient}| = {} is the largest, so {letter} is dropped: p' = {}",
-            d.vector(test.point),
-            d.number(test.coefficient.abs()),
-            d.point(test.projected)
+    if d.number(quotient) != d.number(root.t) {
+        page.plain(format!(
+            "so flat a ray stretches the rounding: the nearest t within the outline is {}",
+            d.number(root.t)
         ));
     }
-
-    /// Each edge and whether it counts.
-    fn edges(&mut self, edges: &[EdgeTest], test: &PolygonTest) {
-        let d = Digits::USUAL;
-        let by_ray = test.decided_by == DecidedBy::Ray;
-        if by_ray {
-            self.page.plain(
-                "p' is within its rounding of an edge, so the side on which the ray itself passes each \
-                 edge decides: an edge counts if ray and edge span a volume of 0 or more (exact)",
-            );
-        }
-        let many = !self.options.all && EDGES_SHOWN < edges.len();
-        let mut left_out = 0;
-        for edge in edges {
-            if many && !edge.straddles {
-                left_out += 1;
-                continue;
-            }
-            let ends = format!(
-                "edge {} from {} to {}",
-                edge.index,
-                d.point(edge.from),
-                d.point(edge.to)
-            );
-            let verdict = match (edge.straddles, by_ray) {
-                (false, false) => level(edge, test),
-                (false, true) => "both ends lie on one side of the ray: does not count".into(),
-                (true, false) => crossing(edge, test, d),
-                (true, true) => format!(
-                    "6 times the volume is {}: {}",
-                    d.number(edge.side),
-                    counts(edge.counts)
-                ),
-            };
-            self.page.plain(format!("{ends}: {verdict}"));
-        }
-        if 0 < left_out {
-            let text = format!(
-                "… {} lie wholly above or below p' (--all lists them)",
-                count(left_out, "more edge")
-            );
-            self.page.line(Tone::Aside, text);
-        }
+    if test.chosen().is_none() {
+        let text = format!("{}: missed", fate(root, None, course));
+        page.line(Tone::Refused, text);
     }
+}
+
+/// p, the dropped coordinate and p′.
+fn projection(test: &PolygonTest, course: &Course, page: &mut Pen) {
+    let d = Digits::USUAL;
+    if course.aligned.is_some() {
+        page.part(Part::Projection).plain(format!(
+            "p = {} lies on the z axis; z is dropped, along the ray: p' = {}",
+            d.vector(test.point),
+            d.point(test.projected)
+        ));
+        return;
+    }
+    let (letter, coefficient) = match test.dropped {
+        Axis::X => ("x", "A"),
+        Axis::Y => ("y", "B"),
+        Axis::Z => ("z", "C"),
+    };
+    page.part(Part::Projection).plain(format!(
+        "p = o + t·Δ = {}; |{coefficient}| = {} is the largest, so {letter} is dropped: p' = {}",
+        d.vector(test.point),
+        d.number(test.coefficient.abs()),
+        d.point(test.projected)
+    ));
+}
+
+/// Each edge and whether it counts. Where some are left out, all edges are one step.
+fn edges(context: &Context, edges: &[Noted<EdgeTest>], test: &PolygonTest, page: &mut Pen) {
+    let by_ray = test.decided_by == DecidedBy::Ray;
+    if by_ray {
+        page.plain(
+            "p' is within its rounding of an edge, so the side on which the ray itself passes each \
+             edge decides: an edge counts if ray and edge span a volume of 0 or more (exact)",
+        );
+    }
+    let many = !context.options.all && EDGES_SHOWN < edges.len();
+    let is_shown = |edge: &&Noted<EdgeTest>| !many || edge.working.straddles;
+    let left_out = edges.len() - edges.iter().filter(is_shown).count();
+    let all = Extent::around(edges.iter().map(|edge| edge.extent)).filter(|_| 0 < left_out);
+    for edge in edges.iter().filter(is_shown) {
+        page.telling(all.unwrap_or(edge.extent), |page| {
+            page.plain(edge_text(&edge.working, test, by_ray));
+        });
+    }
+    if 0 < left_out {
+        let text = format!(
+            "… {} lie wholly above or below p'",
+            count(left_out, "more edge")
+        );
+        page.telling(all, |page| page.folded(left_out, text));
+    }
+}
+
+/// An edge and whether it counts.
+fn edge_text(edge: &EdgeTest, test: &PolygonTest, by_ray: bool) -> String {
+    let d = Digits::USUAL;
+    let verdict = match (edge.straddles, by_ray) {
+        (false, false) => level(edge, test),
+        (false, true) => "both ends lie on one side of the ray: does not count".into(),
+        (true, false) => crossing(edge, test, d),
+        (true, true) => format!(
+            "6 times the volume is {}: {}",
+            d.number(edge.side),
+            counts(edge.counts)
+        ),
+    };
+    format!(
+        "edge {} from {} to {}: {verdict}",
+        edge.index,
+        d.point(edge.from),
+        d.point(edge.to)
+    )
 }
 
 fn counts(counts: bool) -> &'static str {

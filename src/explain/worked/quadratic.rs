@@ -4,174 +4,179 @@ use glam::DVec3;
 
 use crate::explain::number::Digits;
 use crate::explain::page::Tone;
-use crate::explain::worked::Solution;
+use crate::explain::part::Part;
+use crate::explain::worked::aligned;
+use crate::explain::worked::context::Context;
+use crate::explain::worked::pen::Pen;
 use crate::explain::worked::steps::Course;
 use crate::geometry::{Fate, QuadraticTest, Ray, Root, Roots};
 use crate::scene::{PrimitiveId, Shape};
 use crate::trace::Purpose;
 
-impl Solution<'_> {
-    /// Equation (iii).
-    pub(super) fn sphere(
-        &mut self,
-        object: PrimitiveId,
-        test: &QuadraticTest,
-        course: &Course,
-        full: bool,
-    ) {
-        let Shape::Sphere(sphere) = &self.scene.primitive(object).shape else {
-            return;
-        };
-        let (center, radius) = (course.place(sphere.center), sphere.radius);
-        let d = Digits::USUAL;
-        let what = format!(
-            "sphere, center {}, radius {}",
-            d.vector(center),
-            d.number(radius)
-        );
-        let Some(ray) = course.ray().filter(|_| full) else {
-            return self.quadratic_in_short(object, &what, test, course);
-        };
-        self.object_line(object, &what);
-        let offset = ray.origin - center;
-        self.page.indent();
-        self.page.plain("a·t² + b·t + c = 0 … (iii)");
+/// Equation (iii).
+pub(super) fn sphere(
+    context: &Context,
+    object: PrimitiveId,
+    test: &QuadraticTest,
+    course: &Course,
+    full: bool,
+    page: &mut Pen,
+) {
+    let Shape::Sphere(sphere) = &context.scene.primitive(object).shape else {
+        return;
+    };
+    let (center, radius) = (course.place(sphere.center), sphere.radius);
+    let d = Digits::USUAL;
+    let what = format!(
+        "sphere, center {}, radius {}",
+        d.vector(center),
+        d.number(radius)
+    );
+    let Some(ray) = course.ray().filter(|_| full) else {
+        return quadratic_in_short(context, object, &what, test, course, page);
+    };
+    object_line(context, object, &what, page);
+    let offset = ray.origin - center;
+    page.indented(|page| {
+        page.part(Part::Frame).plain("a·t² + b·t + c = 0 … (iii)");
         let given = format!("o - center = {}", precise(test, offset).vector(offset));
-        self.page.plain(given);
-        self.coefficients(&Ray::new(offset, ray.direction), radius, test);
-        self.roots(test);
+        page.part(Part::Frame).plain(given);
+        coefficients(&Ray::new(offset, ray.direction), radius, test, page);
+        roots(test, page);
         if course.aligned.is_some() {
-            self.sphere_at_axis(center, radius);
+            aligned::sphere_at_axis(center, radius, page);
         }
-        self.verdict(&test.roots, course);
-        self.page.outdent();
-    }
+        verdict(&test.roots, course, page);
+    });
+}
 
-    /// Equation (iii) for the unit sphere that the ellipsoid is in a space of its own.
-    pub(super) fn ellipsoid(
-        &mut self,
-        object: PrimitiveId,
-        test: &QuadraticTest,
-        course: &Course,
-        full: bool,
-    ) {
-        let Shape::Ellipsoid(ellipsoid) = &self.scene.primitive(object).shape else {
-            return;
-        };
-        let ellipsoid = *ellipsoid;
-        let (center, radii) = (course.place(ellipsoid.center), ellipsoid.radii);
-        let d = Digits::USUAL;
-        let what = format!(
-            "ellipsoid, center {}, radii {}",
-            d.vector(center),
-            d.vector(radii)
-        );
-        let Some(ray) = course.ray().filter(|_| full) else {
-            return self.quadratic_in_short(object, &what, test, course);
-        };
-        self.object_line(object, &what);
-        let (scaled, offset_by, direction_by) = match course.aligned {
-            // its half axes h are turned
-            Some(aligned) => (
-                ellipsoid.unit_ray(&aligned),
-                "hᵢ·(o - center)/rᵢ²",
-                "hᵢ·Δ/rᵢ²",
-            ),
-            None => (
-                Ray::new((ray.origin - center) / radii, ray.direction / radii),
-                "(o - center)/radii",
-                "Δ/radii",
-            ),
-        };
-        let d = precise(test, scaled.origin);
-        self.page.indent();
+/// Equation (iii) for the unit sphere that the ellipsoid is in a space of its own.
+pub(super) fn ellipsoid(
+    context: &Context,
+    object: PrimitiveId,
+    test: &QuadraticTest,
+    course: &Course,
+    full: bool,
+    page: &mut Pen,
+) {
+    let Shape::Ellipsoid(ellipsoid) = &context.scene.primitive(object).shape else {
+        return;
+    };
+    let ellipsoid = *ellipsoid;
+    let (center, radii) = (course.place(ellipsoid.center), ellipsoid.radii);
+    let d = Digits::USUAL;
+    let what = format!(
+        "ellipsoid, center {}, radii {}",
+        d.vector(center),
+        d.vector(radii)
+    );
+    let Some(ray) = course.ray().filter(|_| full) else {
+        return quadratic_in_short(context, object, &what, test, course, page);
+    };
+    object_line(context, object, &what, page);
+    let (scaled, offset_by, direction_by) = match course.aligned {
+        // its half axes h are turned
+        Some(aligned) => (
+            ellipsoid.unit_ray(&aligned),
+            "hᵢ·(o - center)/rᵢ²",
+            "hᵢ·Δ/rᵢ²",
+        ),
+        None => (
+            Ray::new((ray.origin - center) / radii, ray.direction / radii),
+            "(o - center)/radii",
+            "Δ/radii",
+        ),
+    };
+    let d = precise(test, scaled.origin);
+    page.indented(|page| {
         let along = course.aligned.map_or("", |_| " along its half axes h");
-        self.page.plain(format!(
+        page.part(Part::Frame).plain(format!(
             "divided by its radii{along} it is the unit sphere, and t stays: a·t² + b·t + c = 0 … (iii)"
         ));
-        self.page.plain(format!(
+        page.part(Part::Frame).plain(format!(
             "o - center → {offset_by} = {}",
             d.vector(scaled.origin)
         ));
-        self.page.plain(format!(
+        page.part(Part::Frame).plain(format!(
             "Δ → {direction_by} = {}",
             d.vector(scaled.direction)
         ));
-        self.coefficients(&scaled, 1.0, test);
-        self.roots(test);
-        self.verdict(&test.roots, course);
-        self.page.outdent();
-    }
+        coefficients(&scaled, 1.0, test, page);
+        roots(test, page);
+        verdict(&test.roots, course, page);
+        });
+}
 
-    /// The quadratic of an open cone or cylinder.
-    pub(super) fn cone(
-        &mut self,
-        object: PrimitiveId,
-        test: &QuadraticTest,
-        course: &Course,
-        full: bool,
-    ) {
-        let Shape::Cone(cone) = &self.scene.primitive(object).shape else {
-            return;
-        };
-        let cone = course
-            .aligned
-            .map_or(*cone, |aligned| cone.aligned(&aligned.frame));
-        let d = Digits::USUAL;
-        let [base_radius, apex_radius] = cone.radii();
-        let what = if base_radius == apex_radius {
-            format!(
-                "cylinder from {} to {}, radius {}",
-                d.vector(cone.base()),
-                d.vector(cone.apex()),
-                d.number(base_radius)
-            )
-        } else {
-            format!(
-                "cone from {}, radius {}, to {}, radius {}",
-                d.vector(cone.base()),
-                d.number(base_radius),
-                d.vector(cone.apex()),
-                d.number(apex_radius)
-            )
-        };
-        let Some(ray) = course.ray().filter(|_| full) else {
-            return self.quadratic_in_short(object, &what, test, course);
-        };
-        self.object_line(object, &what);
-        let (axis, slope) = (cone.axis(), cone.slope());
-        let m = ray.origin - cone.base();
-        let (height, climb) = (m.dot(axis), ray.direction.dot(axis));
-        let across = m - height * axis;
-        let direction = ray.direction - climb * axis;
-        let radius = base_radius + slope * height;
-        let d = precise(test, across);
-        self.page.indent();
-        self.page.plain(format!(
+/// The quadratic of an open cone or cylinder.
+pub(super) fn cone(
+    context: &Context,
+    object: PrimitiveId,
+    test: &QuadraticTest,
+    course: &Course,
+    full: bool,
+    page: &mut Pen,
+) {
+    let Shape::Cone(cone) = &context.scene.primitive(object).shape else {
+        return;
+    };
+    let cone = course
+        .aligned
+        .map_or(*cone, |aligned| cone.aligned(&aligned.frame));
+    let d = Digits::USUAL;
+    let [base_radius, apex_radius] = cone.radii();
+    let what = if base_radius == apex_radius {
+        format!(
+            "cylinder from {} to {}, radius {}",
+            d.vector(cone.base()),
+            d.vector(cone.apex()),
+            d.number(base_radius)
+        )
+    } else {
+        format!(
+            "cone from {}, radius {}, to {}, radius {}",
+            d.vector(cone.base()),
+            d.number(base_radius),
+            d.vector(cone.apex()),
+            d.number(apex_radius)
+        )
+    };
+    let Some(ray) = course.ray().filter(|_| full) else {
+        return quadratic_in_short(context, object, &what, test, course, page);
+    };
+    object_line(context, object, &what, page);
+    let (axis, slope) = (cone.axis(), cone.slope());
+    let m = ray.origin - cone.base();
+    let (height, climb) = (m.dot(axis), ray.direction.dot(axis));
+    let across = m - height * axis;
+    let direction = ray.direction - climb * axis;
+    let radius = base_radius + slope * height;
+    let d = precise(test, across);
+    page.indented(|page| {
+        page.part(Part::Frame).plain(format!(
             "axis w = {}, height {}, k = (r_apex - r_base)/height = {}",
             d.vector(axis),
             d.number(cone.height()),
             d.number(slope)
         ));
-        self.page.plain(format!(
+        page.part(Part::Frame).plain(format!(
             "m = o - base: m·w = {}, across the axis m⊥ = {}",
             d.number(height),
             d.vector(across)
         ));
-        self.page.plain(format!(
+        page.part(Part::Frame).plain(format!(
             "Δ: Δ·w = {}, across the axis Δ⊥ = {}; radius at the origin's height R = {}",
             d.number(climb),
             d.vector(direction),
             d.number(radius)
         ));
-        self.page.plain(format!(
+        page.part(Part::Coefficients).plain(format!(
             "a = Δ⊥·Δ⊥ - k²(Δ·w)² = {} - {}²·{}² = {}",
             d.number(direction.length_squared()),
             d.factor(slope),
             d.factor(climb),
             d.number(test.a)
         ));
-        self.page.plain(format!(
+        page.part(Part::Coefficients).plain(format!(
             "b = 2[Δ⊥·m⊥ - k(Δ·w)R] = 2·[{} - {}·{}·{}] = {}",
             d.number(direction.dot(across)),
             d.factor(slope),
@@ -179,16 +184,16 @@ impl Solution<'_> {
             d.factor(radius),
             d.number(test.b)
         ));
-        self.page.plain(format!(
+        page.part(Part::Coefficients).plain(format!(
             "c = m⊥·m⊥ - R² = {} - {}² = {}",
             d.number(across.length_squared()),
             d.factor(radius),
             d.difference(across.length_squared(), test.c)
         ));
-        self.roots(test);
+        roots(test, page);
         for root in test.roots.iter() {
             let y = height + root.t * climb;
-            self.page.plain(format!(
+            page.part(Part::Height).plain(format!(
                 "height over the base at t = {}: m·w + t·(Δ·w) = {} {} = {}, of 0 to {}",
                 d.number(root.t),
                 d.number(height),
@@ -197,127 +202,130 @@ impl Solution<'_> {
                 d.number(cone.height())
             ));
         }
-        self.verdict(&test.roots, course);
-        self.page.outdent();
-    }
+        verdict(&test.roots, course, page);
+    });
+}
 
-    /// a, b and c of a sphere of a radius around the origin.
-    fn coefficients(&mut self, ray: &Ray, radius: f64, test: &QuadraticTest) {
-        let d = precise(test, ray.origin);
-        let (offset, direction) = (ray.origin, ray.direction);
-        self.page.plain(format!(
-            "a = Δ·Δ = {} = {}",
-            d.squares(direction),
-            d.number(test.a)
-        ));
-        self.page.plain(format!(
-            "b = 2·Δ·(o - center) = 2·[{}] = {}",
-            d.dot(direction, offset),
-            d.number(test.b)
-        ));
-        self.page.plain(format!(
-            "c = |o - center|² - r² = {} - {}² = {}",
-            d.squares(offset),
-            d.number(radius),
-            d.difference(offset.length_squared(), test.c)
-        ));
-    }
+/// a, b and c of a sphere of a radius around the origin.
+fn coefficients(ray: &Ray, radius: f64, test: &QuadraticTest, page: &mut Pen) {
+    let d = precise(test, ray.origin);
+    let (offset, direction) = (ray.origin, ray.direction);
+    page.part(Part::Coefficients).plain(format!(
+        "a = Δ·Δ = {} = {}",
+        d.squares(direction),
+        d.number(test.a)
+    ));
+    page.part(Part::Coefficients).plain(format!(
+        "b = 2·Δ·(o - center) = 2·[{}] = {}",
+        d.dot(direction, offset),
+        d.number(test.b)
+    ));
+    page.part(Part::Coefficients).plain(format!(
+        "c = |o - center|² - r² = {} - {}² = {}",
+        d.squares(offset),
+        d.number(radius),
+        d.difference(offset.length_squared(), test.c)
+    ));
+}
 
-    /// The discriminant and the roots.
-    fn roots(&mut self, test: &QuadraticTest) {
-        let (b2, ac4) = (test.b * test.b, 4.0 * test.a * test.c);
-        let size = b2.abs().max(ac4.abs());
-        let d = Digits::for_difference(size, test.discriminant);
-        let discriminant = format!(
-            "b² - 4ac = {} {} = {}",
-            d.number(b2),
-            d.term(-ac4),
-            d.difference(size, test.discriminant)
-        );
-        match test.roots {
-            Roots::None if test.discriminant < 0.0 => {
-                self.page.plain(format!("{discriminant} < 0: no real root"));
-            }
-            Roots::None => self.page.plain(format!(
-                "a = 0 and b = 0: {} = 0 has no solution for any t",
-                d.number(test.c)
-            )),
-            Roots::Graze(root) => {
-                self.page
-                    .plain(format!("{discriminant}: one double root, a graze"));
-                self.page.plain(format!(
-                    "t = -b/2a = {}/{} = {}",
-                    d.number(-test.b),
-                    d.factor(2.0 * test.a),
-                    d.number(root.t)
-                ));
-            }
-            Roots::Two { near, far } => {
-                self.page
-                    .plain(format!("{discriminant} > 0: two real roots"));
-                self.page.plain(format!(
-                    "t = (-b ± √{})/2a = ({} ± {})/{} = {} and {}",
-                    d.number(test.discriminant),
-                    d.number(-test.b),
-                    d.number(test.discriminant.sqrt()),
-                    d.factor(2.0 * test.a),
-                    d.number(near.t),
-                    d.number(far.t)
-                ));
-            }
-            Roots::Linear(root) => self.page.plain(format!(
-                "a = 0: b·t + c = 0, t = -c/b = {}/{} = {}",
-                d.number(-test.c),
-                d.factor(test.b),
-                d.number(root.t)
-            )),
+/// The discriminant and the roots.
+fn roots(test: &QuadraticTest, page: &mut Pen) {
+    let (b2, ac4) = (test.b * test.b, 4.0 * test.a * test.c);
+    let size = b2.abs().max(ac4.abs());
+    let d = Digits::for_difference(size, test.discriminant);
+    let discriminant = format!(
+        "b² - 4ac = {} {} = {}",
+        d.number(b2),
+        d.term(-ac4),
+        d.difference(size, test.discriminant)
+    );
+    match test.roots {
+        Roots::None if test.discriminant < 0.0 => {
+            page.part(Part::Discriminant)
+                .plain(format!("{discriminant} < 0: no real root"));
         }
+        Roots::None => page.part(Part::Discriminant).plain(format!(
+            "a = 0 and b = 0: {} = 0 has no solution for any t",
+            d.number(test.c)
+        )),
+        Roots::Graze(root) => {
+            page.part(Part::Discriminant)
+                .plain(format!("{discriminant}: one double root, a graze"));
+            page.part(Part::Roots).plain(format!(
+                "t = -b/2a = {}/{} = {}",
+                d.number(-test.b),
+                d.factor(2.0 * test.a),
+                d.number(root.t)
+            ));
+        }
+        Roots::Two { near, far } => {
+            page.part(Part::Discriminant)
+                .plain(format!("{discriminant} > 0: two real roots"));
+            page.part(Part::Roots).plain(format!(
+                "t = (-b ± √{})/2a = ({} ± {})/{} = {} and {}",
+                d.number(test.discriminant),
+                d.number(-test.b),
+                d.number(test.discriminant.sqrt()),
+                d.factor(2.0 * test.a),
+                d.number(near.t),
+                d.number(far.t)
+            ));
+        }
+        Roots::Linear(root) => page.part(Part::Roots).plain(format!(
+            "a = 0: b·t + c = 0, t = -c/b = {}/{} = {}",
+            d.number(-test.c),
+            d.factor(test.b),
+            d.number(root.t)
+        )),
     }
+}
 
-    /// What becomes of each root.
-    fn verdict(&mut self, roots: &Roots, course: &Course) {
-        let (tone, text) = match roots {
-            Roots::None => (Tone::Refused, "missed".into()),
-            _ if roots.chosen().is_some() => (Tone::Found, fates(roots, course)),
-            _ => (Tone::Refused, fates(roots, course)),
-        };
-        self.page.line(tone, text);
-    }
+/// What becomes of each root.
+fn verdict(roots: &Roots, course: &Course, page: &mut Pen) {
+    let (tone, text) = match roots {
+        Roots::None => (Tone::Refused, "missed".into()),
+        _ if roots.chosen().is_some() => (Tone::Found, fates(roots, course)),
+        _ => (Tone::Refused, fates(roots, course)),
+    };
+    page.part(Part::Choice).line(tone, text);
+}
 
-    /// A miss: the equation with its numbers, and the verdict.
-    fn quadratic_in_short(
-        &mut self,
-        object: PrimitiveId,
-        what: &str,
-        test: &QuadraticTest,
-        course: &Course,
-    ) {
-        let (b2, ac4) = (test.b * test.b, 4.0 * test.a * test.c);
-        let d = Digits::for_difference(b2.abs().max(ac4.abs()), test.discriminant);
-        self.object_line(object, what);
-        let equation = format!(
-            "{}·t² {}·t {} = 0: b² - 4ac = {} {} = {}",
-            d.number(test.a),
-            d.term(test.b),
-            d.term(test.c),
-            d.number(b2),
-            d.term(-ac4),
-            d.difference(b2.abs().max(ac4.abs()), test.discriminant)
-        );
-        let verdict = match test.roots {
-            Roots::None if test.discriminant < 0.0 => " < 0, no real root: missed".into(),
-            Roots::None => ": no t solves it, missed".into(),
-            _ => format!("; {}", fates(&test.roots, course)),
-        };
-        self.page
-            .indented(|page| page.line(Tone::Refused, format!("{equation}{verdict}")));
-    }
+/// A miss: the equation with its numbers, and the verdict.
+fn quadratic_in_short(
+    context: &Context,
+    object: PrimitiveId,
+    what: &str,
+    test: &QuadraticTest,
+    course: &Course,
+    page: &mut Pen,
+) {
+    let (b2, ac4) = (test.b * test.b, 4.0 * test.a * test.c);
+    let d = Digits::for_difference(b2.abs().max(ac4.abs()), test.discriminant);
+    object_line(context, object, what, page);
+    let equation = format!(
+        "{}·t² {}·t {} = 0: b² - 4ac = {} {} = {}",
+        d.number(test.a),
+        d.term(test.b),
+        d.term(test.c),
+        d.number(b2),
+        d.term(-ac4),
+        d.difference(b2.abs().max(ac4.abs()), test.discriminant)
+    );
+    let verdict = match test.roots {
+        Roots::None if test.discriminant < 0.0 => " < 0, no real root: missed".into(),
+        Roots::None => ": no t solves it, missed".into(),
+        _ => format!("; {}", fates(&test.roots, course)),
+    };
+    page.indented(|page| {
+        page.part(Part::Discriminant)
+            .line(Tone::Refused, format!("{equation}{verdict}"));
+    });
+}
 
-    /// The name of an object and what it is.
-    pub(super) fn object_line(&mut self, object: PrimitiveId, what: &str) {
-        let name = self.name(object);
-        self.page.line(Tone::Heading, format!("{name}: {what}"));
-    }
+/// The name of an object and what it is.
+pub(super) fn object_line(context: &Context, object: PrimitiveId, what: &str, page: &mut Pen) {
+    let name = context.name(object);
+    page.line(Tone::Heading, format!("{name}: {what}"));
 }
 
 /// Digits for a, b and c: c is a difference too, that of |o − center|² and r².

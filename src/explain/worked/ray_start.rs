@@ -3,85 +3,90 @@
 use glam::DVec3;
 
 use crate::explain::number::Digits;
-use crate::explain::worked::Solution;
+use crate::explain::part::Part;
+use crate::explain::worked::context::Context;
+use crate::explain::worked::pen::Pen;
+use crate::explain::worked::photon;
 use crate::explain::worked::steps::{Step, steps};
 use crate::trace::{Purpose, RayStart};
 
-impl Solution<'_> {
-    /// Equation (i) with the ray's numbers, and where they come from.
-    pub(super) fn ray_start(&mut self, place: usize, start: &RayStart, parent: Option<u32>) {
-        let d = Digits::USUAL;
-        let (origin, direction) = (start.ray.origin, start.ray.direction);
-        let on_path = self.direction_of_leg(place);
-        match start.purpose {
-            _ if let Some(text) = on_path => self.page.plain(text),
-            Purpose::Eye => {
-                if let Some(window) = start.window_t {
-                    // a length near 1 is told with the digits in which it differs from 1
-                    let length = Digits::for_difference(window, window - 1.0).number(window);
-                    let to_window = d.vector(window * direction);
-                    self.page
-                        .plain(format!("P - COP = {to_window}, of length {length}"));
-                    self.page.plain(format!(
-                        "Δ = (P - COP)/{length} = {}: normalised, so that t is a distance and the \
+/// Equation (i) with the ray's numbers, and where they come from.
+pub(super) fn ray_start(
+    context: &Context,
+    place: usize,
+    start: &RayStart,
+    parent: Option<u32>,
+    page: &mut Pen,
+) {
+    let d = Digits::USUAL;
+    let (origin, direction) = (start.ray.origin, start.ray.direction);
+    let on_path = photon::direction_of_leg(context, place);
+    match start.purpose {
+        _ if let Some(text) = on_path => page.plain(text),
+        Purpose::Eye => {
+            if let Some(window) = start.window_t {
+                // a length near 1 is told with the digits in which it differs from 1
+                let length = Digits::for_difference(window, window - 1.0).number(window);
+                let to_window = d.vector(window * direction);
+                page.plain(format!("P - COP = {to_window}, of length {length}"));
+                page.plain(format!(
+                    "Δ = (P - COP)/{length} = {}: normalised, so that t is a distance and the \
                          window lies at t = {length}",
+                    d.vector(direction)
+                ));
+            }
+        }
+        Purpose::Shadow => {
+            let lights = &context.scene.lights;
+            let lamp = start.light.and_then(|light| lights.get(light as usize));
+            let text = lamp.map_or(String::new(), |lamp| to_light(lamp.position, origin));
+            page.plain(format!("Δ = L{text} = {}", d.vector(direction)));
+        }
+        Purpose::Reflected => {
+            let from = parent.and_then(|parent| surface_of(context, parent));
+            match from {
+                Some((incoming, normal)) => {
+                    let cosine = incoming.dot(normal);
+                    page.plain(format!(
+                        "Δ = Δ' - 2(Δ'·N)N = {} - 2·{}·{} = {}, with Δ' the direction of the ray \
+                             that was sent on",
+                        d.vector(incoming),
+                        d.factor(cosine),
+                        d.vector(normal),
                         d.vector(direction)
                     ));
                 }
+                None => page.plain(format!("Δ = {}", d.vector(direction))),
             }
-            Purpose::Shadow => {
-                let lights = &self.scene.lights;
-                let lamp = start.light.and_then(|light| lights.get(light as usize));
-                let text = lamp.map_or(String::new(), |lamp| to_light(lamp.position, origin));
-                self.page
-                    .plain(format!("Δ = L{text} = {}", d.vector(direction)));
-            }
-            Purpose::Reflected => {
-                let from = parent.and_then(|parent| self.surface_of(parent));
-                match from {
-                    Some((incoming, normal)) => {
-                        let cosine = incoming.dot(normal);
-                        self.page.plain(format!(
-                            "Δ = Δ' - 2(Δ'·N)N = {} - 2·{}·{} = {}, with Δ' the direction of the ray \
-                             that was sent on",
-                            d.vector(incoming),
-                            d.factor(cosine),
-                            d.vector(normal),
-                            d.vector(direction)
-                        ));
-                    }
-                    None => self.page.plain(format!("Δ = {}", d.vector(direction))),
-                }
-            }
-            Purpose::Refracted => self.page.plain(format!("Δ = T = {}", d.vector(direction))),
-            Purpose::Light => self.page.plain(format!(
-                "Δ = {}: a direction of chance, with a density of 1/(4π) per steradian",
-                d.vector(direction)
-            )),
-            Purpose::Scattered => self.page.plain(format!("Δ = {}", d.vector(direction))),
-            Purpose::Connection => self
-                .page
-                .plain(format!("Δ = (x - x')/|x - x'| = {}", d.vector(direction))),
         }
-        self.page.plain(format!(
-            "(x, y, z) = {} + t·{} … (i){}",
-            d.vector(origin),
-            d.vector(direction),
-            range_text(start)
-        ));
+        Purpose::Refracted => page.plain(format!("Δ = T = {}", d.vector(direction))),
+        Purpose::Light => page.plain(format!(
+            "Δ = {}: a direction of chance, with a density of 1/(4π) per steradian",
+            d.vector(direction)
+        )),
+        Purpose::Scattered => page.plain(format!("Δ = {}", d.vector(direction))),
+        Purpose::Connection => {
+            page.plain(format!("Δ = (x - x')/|x - x'| = {}", d.vector(direction)));
+        }
     }
+    page.part(Part::Ray).plain(format!(
+        "(x, y, z) = {} + t·{} … (i){}",
+        d.vector(origin),
+        d.vector(direction),
+        range_text(start)
+    ));
+}
 
-    /// Direction and normal where a ray met its surface.
-    fn surface_of(&self, ray: u32) -> Option<(DVec3, DVec3)> {
-        let node = &self.tree.rays[self.tree.find(ray)?];
-        let shade = steps(&node.items, self.records)
-            .into_iter()
-            .find_map(|step| match step {
-                Step::Shade(shade) => Some(shade),
-                _ => None,
-            })?;
-        Some((node.start?.ray.direction, shade.normal))
-    }
+/// Direction and normal where a ray met its surface.
+fn surface_of(context: &Context, ray: u32) -> Option<(DVec3, DVec3)> {
+    let node = &context.tree.rays[context.tree.find(ray)?];
+    let shade = steps(context, &node.items)
+        .into_iter()
+        .find_map(|told| match told.step {
+            Step::Shade(shade) => Some(shade),
+            _ => None,
+        })?;
+    Some((node.start?.ray.direction, shade.normal))
 }
 
 /// L = (light − p)/|light − p|, with its numbers.

@@ -8,111 +8,111 @@ use glam::DVec3;
 
 use crate::explain::number::Digits;
 use crate::explain::page::Tone;
-use crate::explain::worked::Solution;
+use crate::explain::worked::context::Context;
+use crate::explain::worked::pen::Pen;
 use crate::trace::{Arrival, Kind};
 
-impl Solution<'_> {
-    /// A photon arrives: in full where it comes to the pixel that is told, or all is wanted.
-    pub(super) fn seen(&mut self, arrival: &Arrival) {
-        if !self.shows(Kind::Arrival) {
-            return;
-        }
-        let d = Digits::USUAL;
-        let [x, y] = arrival.pixel;
-        let is_here = self.pixel == Some(arrival.pixel);
-        if !is_here && !self.options.all {
-            let text = format!("→ passes the window into the eye at another pixel, ({x}, {y})");
-            return self.page.line(Tone::Aside, text);
-        }
-        let camera = &self.scene.camera;
-        let radius = self.settings.light.aperture_radius(camera);
-        let line = arrival.window - arrival.aperture;
-        let squared = line.length_squared();
-        // across both planes, on the side of the window
-        let normal = camera.window_normal();
-        let normal = normal * normal.dot(line).signum();
-        let cosine = normal.dot(line) / squared.sqrt();
-        let size = arrival.aperture.abs().max_element();
-        let d_point = Digits::for_difference(size, line.length());
-        let beside = (arrival.aperture - camera.cop).length();
-        let area = camera.pixel_area();
-        let lines = [
-            format!(
-                "through the window at {}, through the aperture at {}: {} beside the COP, and R = {}",
-                d_point.vector(arrival.window),
-                d_point.vector(arrival.aperture),
-                d.number(beside),
-                d.number(radius)
-            ),
-            format!(
-                "d² = |window - aperture|² = {} = {}",
-                d.squares(line),
-                d.number(squared)
-            ),
-            format!(
-                "cos θ = N·(window - aperture)/d = [{}]/{} = {}, with N = {} across both",
-                d.dot(normal, line),
-                d.number(squared.sqrt()),
-                d.number(cosine),
-                d.vector(normal)
-            ),
-            format!(
-                "G = cos²θ/d² = {}²/{} = {}",
-                d.number(cosine),
-                d.number(squared),
-                d.number(arrival.geometry)
-            ),
-            format!(
-                "L = power/(G·π·R²·A) = {}/({}·π·{}²·{}) = {}, with A the area of a pixel",
-                d.vector(arrival.power),
-                d.number(arrival.geometry),
-                d.number(radius),
-                d.number(area),
-                d.vector(arrival.radiance)
-            ),
-        ];
-        let text = format!("→ passes the window into the eye at pixel ({x}, {y})");
-        self.page.line(Tone::Found, text);
-        self.page.indented(|page| {
-            for line in lines {
-                page.plain(line);
-            }
-        });
+/// A photon arrives: in full where it comes to the pixel that is told, or all is wanted.
+pub(super) fn seen(context: &Context, arrival: &Arrival, page: &mut Pen) {
+    if !context.shows(Kind::Arrival) {
+        return;
     }
-
-    /// What has come to the pixel that is told, path by path.
-    pub(super) fn arrivals_here(&self) -> Vec<(u32, DVec3)> {
-        let here = |arrival: &&Arrival| Some(arrival.pixel) == self.pixel;
-        self.paths
-            .iter()
-            .flat_map(|(&path, known)| {
-                let seen = known.arrivals.iter().filter(here);
-                seen.map(move |arrival| (path, arrival.radiance))
-            })
-            .collect()
+    let d = Digits::USUAL;
+    let [x, y] = arrival.pixel;
+    let is_here = context.pixel == Some(arrival.pixel);
+    if !is_here && !context.options.all {
+        let text = format!("→ passes the window into the eye at another pixel, ({x}, {y})");
+        return page.line(Tone::Aside, text);
     }
-
-    /// How far the window's plane is from the eye along a unit direction, and the cosine between the two normals.
-    pub(super) fn way_to_window(&self, direction: DVec3) -> (f64, f64) {
-        let camera = &self.scene.camera;
-        let across = camera.window_normal();
-        let cosine = direction.dot(across).abs();
-        (camera.to_corner.dot(across).abs() / cosine, cosine)
-    }
-
-    /// The density of a direction out of the eye: d²/(area·cos θ).
-    pub(super) fn by_solid_angle(&self, direction: DVec3, area: f64) -> String {
-        let d = Digits::USUAL;
-        let (way, cosine) = self.way_to_window(direction);
-        let value = way * way / (area * cosine);
+    let camera = &context.scene.camera;
+    let radius = context.settings.light.aperture_radius(camera);
+    let line = arrival.window - arrival.aperture;
+    let squared = line.length_squared();
+    // across both planes, on the side of the window
+    let normal = camera.window_normal();
+    let normal = normal * normal.dot(line).signum();
+    let cosine = normal.dot(line) / squared.sqrt();
+    let size = arrival.aperture.abs().max_element();
+    let d_point = Digits::for_difference(size, line.length());
+    let beside = (arrival.aperture - camera.cop).length();
+    let area = camera.pixel_area();
+    let lines = [
         format!(
-            "{}²/({}·{}) = {}",
-            d.number(way),
-            d.number(area),
+            "through the window at {}, through the aperture at {}: {} beside the COP, and R = {}",
+            d_point.vector(arrival.window),
+            d_point.vector(arrival.aperture),
+            d.number(beside),
+            d.number(radius)
+        ),
+        format!(
+            "d² = |window - aperture|² = {} = {}",
+            d.squares(line),
+            d.number(squared)
+        ),
+        format!(
+            "cos θ = N·(window - aperture)/d = [{}]/{} = {}, with N = {} across both",
+            d.dot(normal, line),
+            d.number(squared.sqrt()),
             d.number(cosine),
-            d.number(value)
-        )
-    }
+            d.vector(normal)
+        ),
+        format!(
+            "G = cos²θ/d² = {}²/{} = {}",
+            d.number(cosine),
+            d.number(squared),
+            d.number(arrival.geometry)
+        ),
+        format!(
+            "L = power/(G·π·R²·A) = {}/({}·π·{}²·{}) = {}, with A the area of a pixel",
+            d.vector(arrival.power),
+            d.number(arrival.geometry),
+            d.number(radius),
+            d.number(area),
+            d.vector(arrival.radiance)
+        ),
+    ];
+    let text = format!("→ passes the window into the eye at pixel ({x}, {y})");
+    page.line(Tone::Found, text);
+    page.indented(|page| {
+        for line in lines {
+            page.plain(line);
+        }
+    });
+}
+
+/// What has come to the pixel that is told, path by path.
+pub(super) fn arrivals_here(context: &Context) -> Vec<(u32, DVec3)> {
+    let here = |arrival: &&Arrival| Some(arrival.pixel) == context.pixel;
+    context
+        .paths
+        .iter()
+        .flat_map(|(&path, known)| {
+            let seen = known.arrivals.iter().filter(here);
+            seen.map(move |arrival| (path, arrival.radiance))
+        })
+        .collect()
+}
+
+/// How far the window's plane is from the eye along a unit direction, and the cosine between the two normals.
+pub(super) fn way_to_window(context: &Context, direction: DVec3) -> (f64, f64) {
+    let camera = &context.scene.camera;
+    let across = camera.window_normal();
+    let cosine = direction.dot(across).abs();
+    (camera.to_corner.dot(across).abs() / cosine, cosine)
+}
+
+/// The density of a direction out of the eye: d²/(area·cos θ).
+pub(super) fn by_solid_angle(context: &Context, direction: DVec3, area: f64) -> String {
+    let d = Digits::USUAL;
+    let (way, cosine) = way_to_window(context, direction);
+    let value = way * way / (area * cosine);
+    format!(
+        "{}²/({}·{}) = {}",
+        d.number(way),
+        d.number(area),
+        d.number(cosine),
+        d.number(value)
+    )
 }
 
 /// 1/(4π): as much in every direction.

@@ -2,40 +2,49 @@
 
 use crate::explain::number::Digits;
 use crate::explain::page::Tone;
-use crate::explain::worked::Solution;
+use crate::explain::part::Part;
 use crate::explain::worked::aligned::turned_slab;
+use crate::explain::worked::context::Context;
+use crate::explain::worked::pen::Pen;
+use crate::explain::worked::quadratic;
 use crate::explain::worked::quadratic::fates;
 use crate::explain::worked::steps::Course;
 use crate::geometry::{Axis, BoxTest, Roots, SlabInterval};
 use crate::scene::{PrimitiveId, Shape};
 
-impl Solution<'_> {
-    /// near = max of the near values, far = min of the far ones.
-    pub(super) fn slabs(&mut self, object: PrimitiveId, test: &BoxTest, course: &Course) {
-        let Shape::Box(solid) = &self.scene.primitive(object).shape else {
-            return;
-        };
-        let solid = *solid;
-        let d = Digits::USUAL;
-        let what = match course.aligned {
-            Some(_) => format!(
-                "box around {}, half sides {}",
-                d.vector(course.place(0.5 * (solid.min + solid.max))),
-                d.vector(0.5 * (solid.max - solid.min))
-            ),
-            None => format!(
-                "box from {} to {}",
-                d.vector(solid.min),
-                d.vector(solid.max)
-            ),
-        };
-        let turned = course.aligned.map(|aligned| solid.aligned_slabs(&aligned));
-        self.object_line(object, &what);
-        self.page.indent();
+/// near = max of the near values, far = min of the far ones.
+pub(super) fn slabs(
+    context: &Context,
+    object: PrimitiveId,
+    test: &BoxTest,
+    course: &Course,
+    page: &mut Pen,
+) {
+    let Shape::Box(solid) = &context.scene.primitive(object).shape else {
+        return;
+    };
+    let solid = *solid;
+    let d = Digits::USUAL;
+    let what = match course.aligned {
+        Some(_) => format!(
+            "box around {}, half sides {}",
+            d.vector(course.place(0.5 * (solid.min + solid.max))),
+            d.vector(0.5 * (solid.max - solid.min))
+        ),
+        None => format!(
+            "box from {} to {}",
+            d.vector(solid.min),
+            d.vector(solid.max)
+        ),
+    };
+    let turned = course.aligned.map(|aligned| solid.aligned_slabs(&aligned));
+    quadratic::object_line(context, object, &what, page);
+    page.indented(|page| {
         let axes = [("x", Axis::X), ("y", Axis::Y), ("z", Axis::Z)];
         for (i, ((name, axis), interval)) in axes.into_iter().zip(test.slabs).enumerate() {
             if let Some(slabs) = &turned {
-                self.page.plain(turned_slab(name, &slabs[i], interval));
+                page.part(Part::NearFar)
+                    .plain(turned_slab(name, &slabs[i], interval));
                 continue;
             }
             let (low, high) = (axis.of(solid.min), axis.of(solid.max));
@@ -73,13 +82,15 @@ impl Solution<'_> {
                     format!("{slab}: near {}, far {}", d.number(near), d.number(far))
                 }
             };
-            self.page.plain(line);
+            page.part(Part::NearFar).plain(line);
         }
         match test.roots {
-            Roots::None => self.page.line(Tone::Refused, no_common_t(test)),
+            Roots::None => page
+                .part(Part::Interval)
+                .line(Tone::Refused, no_common_t(test)),
             Roots::Graze(_) | Roots::Two { .. } | Roots::Linear(_) => {
                 let ends: Vec<_> = test.roots.iter().map(|root| d.number(root.t)).collect();
-                self.page.plain(format!(
+                page.part(Part::Interval).plain(format!(
                     "the largest near is {}, the smallest far {}: inside all three in between",
                     ends.first().map_or("", String::as_str),
                     ends.last().map_or("", String::as_str)
@@ -89,11 +100,11 @@ impl Solution<'_> {
                 } else {
                     Tone::Refused
                 };
-                self.page.line(tone, fates(&test.roots, course));
+                page.part(Part::Choice)
+                    .line(tone, fates(&test.roots, course));
             }
         }
-        self.page.outdent();
-    }
+    });
 }
 
 fn no_common_t(test: &BoxTest) -> String {

@@ -2,7 +2,9 @@
 
 use glam::DVec3;
 
-use crate::explain::worked::aligned::shown;
+use crate::explain::number::without_rounding;
+use crate::explain::worked::context::Context;
+use crate::explain::worked::extent::Extent;
 use crate::geometry::{
     AlignedRay, BoxTest, EdgeTest, PlaneTest, PolygonTest, QuadraticTest, Ray, Refraction,
 };
@@ -10,7 +12,7 @@ use crate::scene::PrimitiveId;
 use crate::structure::{BareGrid, SlabStep};
 use crate::trace::{
     Arrival, Bounded, Event, Gathered, Item, LightTerm, Nearby, Nearest, Photon, RayEnd, RaySlab,
-    RayStart, Record, Shade, Stored,
+    RayStart, Shade, Stored,
 };
 
 /// What is known of a ray while its steps are told.
@@ -33,6 +35,8 @@ pub(super) struct Course {
     pub(super) normal: Option<DVec3>,
     /// Its end.
     pub(super) end: Option<RayEnd>,
+    /// The event that holds the point it met: its shade, or what chance decided there.
+    pub(super) arrival: Option<Extent>,
     /// The point it met was introduced.
     pub(super) arrived: bool,
     /// Are the slabs of bounds worked out one by one?
@@ -58,19 +62,35 @@ impl Course {
 
     /// A point of an object as its test sees it.
     pub(super) fn place(&self, point: DVec3) -> DVec3 {
-        self.aligned
-            .map_or(point, |aligned| shown(aligned.frame.point(point)))
+        self.aligned.map_or(point, |aligned| {
+            without_rounding(aligned.frame.point(point))
+        })
     }
 }
 
-/// One step of a ray's working.
+/// One step of a ray's working, and the events that it was put together from.
+#[derive(Clone, Debug)]
+pub(super) struct Told {
+    pub(super) step: Step,
+    /// From its first event to its last. Of a ray that was sent on: where it was.
+    pub(super) extent: Extent,
+}
+
+/// An event's working, and which event that is.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Noted<T> {
+    pub(super) working: T,
+    pub(super) extent: Extent,
+}
+
+/// What a step of a ray's working is.
 #[derive(Clone, Debug)]
 pub(super) enum Step {
     /// An object was tested; its hit became the nearest or did not.
     Test {
         object: PrimitiveId,
         test: Test,
-        nearest: Option<Nearest>,
+        nearest: Option<Noted<Nearest>>,
     },
     /// A ray was sent on.
     Ray(usize),
@@ -87,8 +107,8 @@ pub(super) enum Step {
     Arrival(Arrival),
     /// Light was gathered from the nearest photons; in a filtered log either may be missing.
     Gathered {
-        nearby: Vec<Nearby>,
-        gathered: Option<Gathered>,
+        nearby: Vec<Noted<Nearby>>,
+        gathered: Option<Noted<Gathered>>,
     },
     /// A hit became the nearest apart from its test.
     Nearest(Nearest),
@@ -104,23 +124,30 @@ pub(super) enum Test {
     /// A plane, and if it was met where it counts, its edges and the verdict. In a filtered log any of
     /// the three may be missing.
     Polygon {
-        plane: Option<PlaneTest>,
-        edges: Vec<EdgeTest>,
-        inside: Option<PolygonTest>,
+        plane: Option<Noted<PlaneTest>>,
+        edges: Vec<Noted<EdgeTest>>,
+        inside: Option<Noted<PolygonTest>>,
     },
 }
 
 impl Test {
+    /// The event that decided about a polygon, which has several.
+    pub(super) fn decided(&self) -> Option<Extent> {
+        match self {
+            Self::Sphere(_) | Self::Ellipsoid(_) | Self::Cone(_) | Self::Box(_) => None,
+            Self::Polygon { inside, .. } => inside.map(|inside| inside.extent),
+        }
+    }
+
     /// t of the hit.
     pub(super) fn hit(&self) -> Option<f64> {
         match self {
             Self::Sphere(test) | Self::Ellipsoid(test) | Self::Cone(test) => test.roots.chosen(),
             Self::Box(test) => test.roots.chosen(),
             Self::Polygon { plane, inside, .. } => {
-                let inside = inside.as_ref().is_some_and(|test| test.inside);
+                let inside = inside.is_some_and(|test| test.working.inside);
                 plane
-                    .as_ref()
-                    .and_then(PlaneTest::chosen)
+                    .and_then(|plane| plane.working.chosen())
                     .filter(|_| inside)
             }
         }
@@ -128,60 +155,70 @@ impl Test {
 }
 
 /// The steps of a ray's items.
-pub(super) fn steps(items: &[Item], records: &[Record]) -> Vec<Step> {
-    let mut steps: Vec<Step> = Vec::new();
+pub(super) fn steps(context: &Context, items: &[Item]) -> Vec<Told> {
+    let mut steps: Vec<Told> = Vec::new();
     for item in items {
         match *item {
-            Item::Ray(place) => steps.push(Step::Ray(place)),
-            Item::Event(at) => add(&records[at].event, &mut steps),
+            Item::Ray(place) => steps.push(Told {
+                step: Step::Ray(place),
+                extent: context.of_ray(place),
+            }),
+            Item::Event(at) => add(&context.records[at].event, context.at(at), &mut steps),
         }
     }
     steps
 }
 
 /// S and T of the ray and each slab.
-pub(super) fn slab_rays(steps: &[Step]) -> Vec<RaySlab> {
-    let line = |step: &Step| match step {
-        Step::Search(Event::SlabRay(line)) => Some(*line),
+pub(super) fn slab_rays(steps: &[Told]) -> Vec<RaySlab> {
+    let line = |told: &Told| match told.step {
+        Step::Search(Event::SlabRay(line)) => Some(line),
         _ => None,
     };
     steps.iter().filter_map(line).collect()
 }
 
-fn add(event: &Event, steps: &mut Vec<Step>) {
-    let quadratic = |object: PrimitiveId, test| Step::Test {
+fn add(event: &Event, extent: Extent, steps: &mut Vec<Told>) {
+    let test = |object: PrimitiveId, test| Step::Test {
         object,
         test,
         nearest: None,
     };
     let step = match *event {
-        Event::SphereTest { object, test } => quadratic(object, Test::Sphere(test)),
-        Event::EllipsoidTest { object, test } => quadratic(object, Test::Ellipsoid(test)),
-        Event::ConeTest { object, test } => quadratic(object, Test::Cone(test)),
-        Event::BoxTest { object, test } => quadratic(object, Test::Box(test)),
-        Event::PlaneTest { object, test } => Step::Test {
+        Event::SphereTest { object, test: t } => test(object, Test::Sphere(t)),
+        Event::EllipsoidTest { object, test: t } => test(object, Test::Ellipsoid(t)),
+        Event::ConeTest { object, test: t } => test(object, Test::Cone(t)),
+        Event::BoxTest { object, test: t } => test(object, Test::Box(t)),
+        Event::PlaneTest { object, test: t } => test(
             object,
-            test: Test::Polygon {
-                plane: Some(test),
+            Test::Polygon {
+                plane: Some(Noted::new(t, extent)),
                 edges: Vec::new(),
                 inside: None,
             },
-            nearest: None,
-        },
+        ),
         Event::Edge { object, edge } => {
-            return polygon_of(object, steps, |edges, _| edges.push(edge));
+            return polygon_of(object, extent, steps, |edges, _| {
+                edges.push(Noted::new(edge, extent));
+            });
         }
         Event::PolygonTest { object, test } => {
-            return polygon_of(object, steps, |_, inside| *inside = Some(test));
+            return polygon_of(object, extent, steps, |_, inside| {
+                *inside = Some(Noted::new(test, extent));
+            });
         }
-        Event::Nearest(hit) => {
-            // a z sort finds the nearest after all tests
-            match steps.last_mut() {
-                Some(Step::Test { nearest, .. }) => *nearest = Some(hit),
-                _ => steps.push(Step::Nearest(hit)),
+        Event::Nearest(hit) => match steps.last_mut() {
+            Some(Told {
+                step: Step::Test { nearest, .. },
+                extent: whole,
+            }) => {
+                *nearest = Some(Noted::new(hit, extent));
+                whole.last = extent.last;
+                return;
             }
-            return;
-        }
+            // a z sort finds the nearest after all tests
+            _ => Step::Nearest(hit),
+        },
         Event::LightTerm(light) => Step::Light(light),
         Event::Refraction(refraction) => Step::Refraction(refraction),
         Event::Shade(shade) => Step::Shade(shade),
@@ -198,17 +235,16 @@ fn add(event: &Event, steps: &mut Vec<Step>) {
         Event::Photon(photon) => Step::Photon(photon),
         Event::Stored(stored) => Step::Stored(stored),
         Event::Arrival(arrival) => Step::Arrival(arrival),
-        Event::Nearby(photon) => return gather(photon, steps),
-        Event::Gathered(found) => match steps.last_mut() {
-            Some(Step::Gathered { gathered, .. }) if gathered.is_none() => {
-                *gathered = Some(found);
-                return;
-            }
-            _ => Step::Gathered {
-                nearby: Vec::new(),
-                gathered: Some(found),
-            },
-        },
+        Event::Nearby(photon) => {
+            return gather(extent, steps, |nearby, _| {
+                nearby.push(Noted::new(photon, extent));
+            });
+        }
+        Event::Gathered(found) => {
+            return gather(extent, steps, |_, gathered| {
+                *gathered = Some(Noted::new(found, extent));
+            });
+        }
         Event::SlabRay(_)
         | Event::BoundTest(_)
         | Event::SlabTest(_)
@@ -224,35 +260,58 @@ fn add(event: &Event, steps: &mut Vec<Step>) {
         | Event::Aligned(_)
         | Event::ZSort(_) => Step::Search(*event),
     };
-    steps.push(step);
+    steps.push(Told { step, extent });
 }
 
-/// One more of the nearest photons.
-fn gather(photon: Nearby, steps: &mut Vec<Step>) {
-    match steps.last_mut() {
-        Some(Step::Gathered {
-            nearby,
+impl<T> Noted<T> {
+    fn new(working: T, extent: Extent) -> Self {
+        Self { working, extent }
+    }
+}
+
+/// Fills in one more of the nearest photons, or what was gathered from them.
+fn gather(
+    extent: Extent,
+    steps: &mut Vec<Told>,
+    fill: impl FnOnce(&mut Vec<Noted<Nearby>>, &mut Option<Noted<Gathered>>),
+) {
+    let open = matches!(
+        steps.last(),
+        Some(Told {
+            step: Step::Gathered { gathered: None, .. },
+            ..
+        })
+    );
+    if !open {
+        let step = Step::Gathered {
+            nearby: Vec::new(),
             gathered: None,
-        }) => nearby.push(photon),
-        _ => steps.push(Step::Gathered {
-            nearby: vec![photon],
-            gathered: None,
-        }),
+        };
+        steps.push(Told { step, extent });
+    }
+    if let Some(Told {
+        step: Step::Gathered { nearby, gathered },
+        extent: whole,
+    }) = steps.last_mut()
+    {
+        whole.last = extent.last;
+        fill(nearby, gathered);
     }
 }
 
 /// Fills in what follows a polygon's plane; in a filtered log the plane may be missing.
 fn polygon_of(
     of: PrimitiveId,
-    steps: &mut Vec<Step>,
-    fill: impl FnOnce(&mut Vec<EdgeTest>, &mut Option<PolygonTest>),
+    extent: Extent,
+    steps: &mut Vec<Told>,
+    fill: impl FnOnce(&mut Vec<Noted<EdgeTest>>, &mut Option<Noted<PolygonTest>>),
 ) {
     let open = matches!(
-        steps.last(),
+        steps.last().map(|told| &told.step),
         Some(Step::Test { object, test: Test::Polygon { inside: None, .. }, .. }) if *object == of
     );
     if !open {
-        steps.push(Step::Test {
+        let step = Step::Test {
             object: of,
             test: Test::Polygon {
                 plane: None,
@@ -260,13 +319,19 @@ fn polygon_of(
                 inside: None,
             },
             nearest: None,
-        });
+        };
+        steps.push(Told { step, extent });
     }
-    if let Some(Step::Test {
-        test: Test::Polygon { edges, inside, .. },
-        ..
+    if let Some(Told {
+        step:
+            Step::Test {
+                test: Test::Polygon { edges, inside, .. },
+                ..
+            },
+        extent: whole,
     }) = steps.last_mut()
     {
+        whole.last = extent.last;
         fill(edges, inside);
     }
 }

@@ -3,101 +3,98 @@
 use crate::explain::number::{Digits, grouped};
 use crate::explain::page::Tone;
 use crate::explain::printable;
-use crate::explain::worked::{Solution, count};
+use crate::explain::worked::context::Context;
+use crate::explain::worked::count;
+use crate::explain::worked::pen::Pen;
 use crate::trace::{Settings, StrategyName, Transport};
 
-impl Solution<'_> {
-    /// Which pixel, and how it was traced.
-    pub(super) fn title(&mut self) {
-        let [width, height] = self.scene.camera.pixels;
-        let mut title = String::from("Pixel");
-        if let Some([x, y]) = self.pixel {
-            title = format!("Pixel ({x}, {y})");
-        }
-        if !self.scene.name.is_empty() {
-            title = format!("{title} of \"{}\"", printable(&self.scene.name));
-        }
-        self.page.line(Tone::Heading, title);
-        let transport = match self.settings.transport {
-            Transport::Backward => "backward, without rays to the lights",
-            Transport::HybridLight => "backward with rays to the lights",
-            Transport::Forward => "forward, from the lights into the eye",
-            Transport::HybridStored => "forward, stored on the surfaces, then backward",
-            Transport::HybridConnected => "forward and backward, with connecting lines",
-        };
-        let objects = self.scene.primitives.len();
-        let depth = match self.settings.transport {
-            // they go on as long as chance lets them
-            Transport::Forward | Transport::HybridConnected => String::new(),
-            _ => format!(", depth up to {}", self.scene.max_depth),
-        };
-        let sides = if self.settings.one_sided {
-            "; opaque surfaces show only their front"
-        } else {
-            ""
-        };
-        self.page.line(
-            Tone::Aside,
-            format!(
-                "{width} × {height} pixels, traced {transport}, each ray tested against {}{}\
+/// Which pixel, and how it was traced.
+pub(super) fn title(context: &Context, page: &mut Pen) {
+    let [width, height] = context.scene.camera.pixels;
+    let mut title = String::from("Pixel");
+    if let Some([x, y]) = context.pixel {
+        title = format!("Pixel ({x}, {y})");
+    }
+    if !context.scene.name.is_empty() {
+        title = format!("{title} of \"{}\"", printable(&context.scene.name));
+    }
+    page.line(Tone::Heading, title);
+    let transport = match context.settings.transport {
+        Transport::Backward => "backward, without rays to the lights",
+        Transport::HybridLight => "backward with rays to the lights",
+        Transport::Forward => "forward, from the lights into the eye",
+        Transport::HybridStored => "forward, stored on the surfaces, then backward",
+        Transport::HybridConnected => "forward and backward, with connecting lines",
+    };
+    let objects = context.scene.primitives.len();
+    let depth = match context.settings.transport {
+        // they go on as long as chance lets them
+        Transport::Forward | Transport::HybridConnected => String::new(),
+        _ => format!(", depth up to {}", context.scene.max_depth),
+    };
+    let sides = if context.settings.one_sided {
+        "; opaque surfaces show only their front"
+    } else {
+        ""
+    };
+    page.line(
+        Tone::Aside,
+        format!(
+            "{width} × {height} pixels, traced {transport}, each ray tested against {}{}\
                  {depth}{sides}",
-                count(objects, "object"),
-                how(self.settings)
-            ),
-        );
-        if let Some(light) = self.how_light_is_followed() {
-            self.page.line(Tone::Aside, light);
-        }
-        if matches!(
-            self.settings.strategy,
-            StrategyName::Bounds
-                | StrategyName::Hierarchy
-                | StrategyName::Heap
-                | StrategyName::Grid
-        ) {
-            let note = "what is around objects is wider than they are by some 1e-10 of the coordinates, \
+            count(objects, "object"),
+            how(context.settings)
+        ),
+    );
+    if let Some(light) = how_light_is_followed(context) {
+        page.line(Tone::Aside, light);
+    }
+    if matches!(
+        context.settings.strategy,
+        StrategyName::Bounds | StrategyName::Hierarchy | StrategyName::Heap | StrategyName::Grid
+    ) {
+        let note = "what is around objects is wider than they are by some 1e-10 of the coordinates, \
                         so that rounding cuts nothing off";
-            self.page.line(Tone::Aside, note);
-        }
-        if let Some(only) = &self.settings.only {
-            let note = format!("the log holds only: {}", only.join(", "));
-            self.page.line(Tone::Aside, note);
-        }
+        page.line(Tone::Aside, note);
     }
+    if let Some(only) = &context.settings.only {
+        let note = format!("the log holds only: {}", only.join(", "));
+        page.line(Tone::Aside, note);
+    }
+}
 
-    /// Seed, number of paths, and what else the transport looks at; `None` where no light is followed.
-    fn how_light_is_followed(&self) -> Option<String> {
-        let d = Digits::USUAL;
-        let (camera, light) = (&self.scene.camera, &self.settings.light);
-        let own = match self.settings.transport {
-            Transport::Backward | Transport::HybridLight => return None,
-            Transport::Forward => {
-                let radius = d.number(light.aperture_radius(camera));
-                format!("the eye is an aperture of radius {radius}")
-            }
-            Transport::HybridStored => match light.map {
-                Some(cells) => format!(
-                    "stored in maps of {cells} cells along a flat face's longer side; on curved surfaces the \
+/// Seed, number of paths, and what else the transport looks at; `None` where no light is followed.
+fn how_light_is_followed(context: &Context) -> Option<String> {
+    let d = Digits::USUAL;
+    let (camera, light) = (&context.scene.camera, &context.settings.light);
+    let own = match context.settings.transport {
+        Transport::Backward | Transport::HybridLight => return None,
+        Transport::Forward => {
+            let radius = d.number(light.aperture_radius(camera));
+            format!("the eye is an aperture of radius {radius}")
+        }
+        Transport::HybridStored => match light.map {
+            Some(cells) => format!(
+                "stored in maps of {cells} cells along a flat face's longer side; on curved surfaces the \
                      {} nearest photons are gathered",
-                    light.nearest
-                ),
-                None => format!("the {} nearest photons are gathered", light.nearest),
-            },
-            Transport::HybridConnected => format!(
-                "{} to each pixel, each connected to a path of light of its own",
-                count(light.samples as usize, "eye path")
+                light.nearest
             ),
-        };
-        let paths = self.settings.light_paths(camera.pixels);
-        let bounces = light.bounces.map_or(String::new(), |most| {
-            format!(", each over {} at most", count(most as usize, "surface"))
-        });
-        Some(format!(
-            "{} paths of light{bounces}, seed {}; {own}",
-            grouped(paths),
-            light.seed
-        ))
-    }
+            None => format!("the {} nearest photons are gathered", light.nearest),
+        },
+        Transport::HybridConnected => format!(
+            "{} to each pixel, each connected to a path of light of its own",
+            count(light.samples as usize, "eye path")
+        ),
+    };
+    let paths = context.settings.light_paths(camera.pixels);
+    let bounces = light.bounces.map_or(String::new(), |most| {
+        format!(", each over {} at most", count(most as usize, "surface"))
+    });
+    Some(format!(
+        "{} paths of light{bounces}, seed {}; {own}",
+        grouped(paths),
+        light.seed
+    ))
 }
 
 /// Which of the objects a ray is tested against.

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use crate::explain::worked::Solution;
+use crate::explain::worked::context::Context;
 use crate::trace::{Event, Item, Photon, Purpose, RayNode};
 
 /// A vertex of a path.
@@ -45,80 +45,78 @@ impl Vertex {
     }
 }
 
-impl Solution<'_> {
-    /// A vertex of a path of light: 0 is the light, then its surfaces.
-    pub(super) fn light_vertex(&self, path: u32, number: usize) -> Vertex {
-        let known = self.paths.get(&path);
-        match number.checked_sub(1) {
-            Some(before) => self.surface_vertex(known.and_then(|known| known.met.get(before))),
-            None => match known.and_then(|known| known.start) {
-                Some(start) => Vertex {
-                    name: format!("the light {}", self.light_name(start.light)),
-                    place: VertexPlace::Light(start.power),
-                },
-                None => Vertex {
-                    name: "the light".into(),
-                    place: VertexPlace::Unknown,
-                },
-            },
-        }
-    }
-
-    /// A vertex of a path from the eye, which has met these surfaces: 0 is the eye.
-    pub(super) fn eye_vertex(&self, met: &[Photon], number: usize) -> Vertex {
-        match number.checked_sub(1) {
-            Some(before) => self.surface_vertex(met.get(before)),
-            None => Vertex {
-                name: "the eye".into(),
-                place: VertexPlace::Eye,
-            },
-        }
-    }
-
-    fn surface_vertex(&self, photon: Option<&Photon>) -> Vertex {
-        match photon {
-            Some(photon) => Vertex {
-                name: self.name(photon.object),
-                place: VertexPlace::Surface(*photon),
+/// A vertex of a path of light: 0 is the light, then its surfaces.
+pub(super) fn light_vertex(context: &Context, path: u32, number: usize) -> Vertex {
+    let known = context.paths.get(&path);
+    match number.checked_sub(1) {
+        Some(before) => surface_vertex(context, known.and_then(|known| known.met.get(before))),
+        None => match known.and_then(|known| known.start) {
+            Some(start) => Vertex {
+                name: format!("the light {}", context.light_name(start.light)),
+                place: VertexPlace::Light(start.power),
             },
             None => Vertex {
-                name: "a surface".into(),
+                name: "the light".into(),
                 place: VertexPlace::Unknown,
             },
-        }
+        },
     }
+}
 
-    /// The unit normal across the surface that was met, on the side of a direction.
-    pub(super) fn normal_towards(&self, photon: &Photon, direction: DVec3) -> DVec3 {
-        let shape = &self.scene.primitive(photon.object).shape;
-        let normal = shape.normals(photon.point).geometric;
-        if normal.dot(direction) < 0.0 {
-            -normal
-        } else {
-            normal
-        }
+/// A vertex of a path from the eye, which has met these surfaces: 0 is the eye.
+pub(super) fn eye_vertex(context: &Context, met: &[Photon], number: usize) -> Vertex {
+    match number.checked_sub(1) {
+        Some(before) => surface_vertex(context, met.get(before)),
+        None => Vertex {
+            name: "the eye".into(),
+            place: VertexPlace::Eye,
+        },
     }
+}
 
-    /// What met a surface at the end of a ray, if chance decided there how the path goes on.
-    pub(super) fn photon_of(&self, ray: &RayNode) -> Option<Photon> {
-        ray.items.iter().find_map(|item| match *item {
-            Item::Event(at) => match self.records[at].event {
-                Event::Photon(photon) => Some(photon),
-                _ => None,
-            },
-            Item::Ray(_) => None,
-        })
+fn surface_vertex(context: &Context, photon: Option<&Photon>) -> Vertex {
+    match photon {
+        Some(photon) => Vertex {
+            name: context.name(photon.object),
+            place: VertexPlace::Surface(*photon),
+        },
+        None => Vertex {
+            name: "a surface".into(),
+            place: VertexPlace::Unknown,
+        },
     }
+}
 
-    /// The ray that a path came on before this one, and what met the surface between the two.
-    pub(super) fn leg_before(&self, place: usize) -> Option<(&RayNode, Photon)> {
-        let ray = &self.tree.rays[place];
-        let start = ray.start?;
-        // rays of a path stand beside each other; others hang below the one that they were sent on from
-        if ray.parent.is_some() || start.depth <= 1 || start.purpose == Purpose::Connection {
-            return None;
-        }
-        let before = &self.tree.rays[place.checked_sub(1)?];
-        Some((before, self.photon_of(before)?))
+/// The unit normal across the surface that was met, on the side of a direction.
+pub(super) fn normal_towards(context: &Context, photon: &Photon, direction: DVec3) -> DVec3 {
+    let shape = &context.scene.primitive(photon.object).shape;
+    let normal = shape.normals(photon.point).geometric;
+    if normal.dot(direction) < 0.0 {
+        -normal
+    } else {
+        normal
     }
+}
+
+/// What met a surface at the end of a ray, if chance decided there how the path goes on.
+pub(super) fn photon_of(context: &Context, ray: &RayNode) -> Option<Photon> {
+    ray.items.iter().find_map(|item| match *item {
+        Item::Event(at) => match context.records[at].event {
+            Event::Photon(photon) => Some(photon),
+            _ => None,
+        },
+        Item::Ray(_) => None,
+    })
+}
+
+/// The ray that a path came on before this one, and what met the surface between the two.
+pub(super) fn leg_before<'c>(context: &'c Context, place: usize) -> Option<(&'c RayNode, Photon)> {
+    let ray = &context.tree.rays[place];
+    let start = ray.start?;
+    // rays of a path stand beside each other; others hang below the one that they were sent on from
+    if ray.parent.is_some() || start.depth <= 1 || start.purpose == Purpose::Connection {
+        return None;
+    }
+    let before = &context.tree.rays[place.checked_sub(1)?];
+    Some((before, photon_of(context, before)?))
 }

@@ -4,135 +4,137 @@ use glam::DVec3;
 
 use crate::explain::number::Digits;
 use crate::explain::page::Tone;
+use crate::explain::part::Part;
 use crate::explain::printable;
-use crate::explain::worked::Solution;
+use crate::explain::worked::bare::bare_inside;
+use crate::explain::worked::context::Context;
+use crate::explain::worked::pen::Pen;
 use crate::explain::worked::steps::Course;
 use crate::geometry::{SlabInterval, TRange};
 use crate::structure::{SlabOutcome, SlabSet, SlabStep, Volume, VolumeKind};
 use crate::trace::{BoundOutcome, BoundTest, Bounded, Kind, Purpose, RaySlab, SlabTest};
 
-impl Solution<'_> {
-    /// S and T of the ray and one direction of slabs.
-    pub(super) fn slab_ray(&mut self, line: &RaySlab, course: &Course) {
-        self.page.plain(s_and_t(line, course));
-    }
+/// S and T of the ray and one direction of slabs.
+pub(super) fn slab_ray(line: &RaySlab, course: &Course, page: &mut Pen) {
+    page.plain(s_and_t(line, course));
+}
 
-    /// S, T, and from D_min and D_max the near and the far t of one slab.
-    pub(super) fn slab_test(&mut self, test: &SlabTest, course: &Course) {
-        if !self.shows(Kind::SlabTest) {
-            return;
-        }
-        let step = &course.bare_slab(test);
-        if step.slab == 0 {
-            let title = format!("{}: the slabs around it", self.bounded(test.of));
-            self.page.line(Tone::Heading, title);
-        }
-        let line = course.slab_rays.iter().find(|line| line.slab == step.slab);
-        // a log that somebody filtered may have lost it
-        let first = line.map_or_else(
-            || format!("slab {}", step.slab),
-            |line| s_and_t(line, course),
-        );
-        let second = near_and_far(step, line);
-        let verdict = missed(step);
-        self.page.indented(|page| {
-            page.plain(first);
-            page.indented(|page| {
-                page.plain(second);
-                if let Some(verdict) = verdict {
-                    page.line(Tone::Refused, verdict);
-                }
-            });
+/// S, T, and from D_min and D_max the near and the far t of one slab.
+pub(super) fn slab_test(context: &Context, test: &SlabTest, course: &Course, page: &mut Pen) {
+    if !context.shows(Kind::SlabTest) {
+        return;
+    }
+    let step = &course.bare_slab(test);
+    if step.slab == 0 {
+        let title = format!("{}: the slabs around it", bounded(context, test.of));
+        page.line(Tone::Heading, title);
+    }
+    let line = course.slab_rays.iter().find(|line| line.slab == step.slab);
+    // a log that somebody filtered may have lost it
+    let first = line.map_or_else(
+        || format!("slab {}", step.slab),
+        |line| s_and_t(line, course),
+    );
+    let second = near_and_far(step, line);
+    let verdict = missed(step);
+    page.indented(|page| {
+        page.part(Part::SlabRay).plain(first);
+        page.indented(|page| {
+            page.part(Part::NearFar).plain(second);
+            if let Some(verdict) = verdict {
+                page.part(Part::Interval).line(Tone::Refused, verdict);
+            }
         });
-    }
+    });
+}
 
-    /// Where the ray is inside a volume, and what follows from that.
-    pub(super) fn bound_test(&mut self, test: &BoundTest, course: &Course) {
-        if !self.shows(Kind::BoundTest) {
-            return;
-        }
-        let d = Digits::USUAL;
-        let (looked_at, left_out) = match test.of {
-            Bounded::Object(_) => ("the object is tested", "the object inside is not tested"),
-            Bounded::Node(_) => (
-                "what is below it can be looked at",
-                "nothing below it is looked at",
-            ),
-        };
-        let volume = match test.volume {
-            VolumeKind::Sphere => "the bounding sphere",
-            VolumeKind::Ellipsoid => "the bounding ellipsoid",
-            VolumeKind::Box => "the bounding box",
-            VolumeKind::Slabs => "the intersection of the slabs",
-        };
-        let bare = self.bare_inside(test, course);
-        let stretch = bare.map_or(String::new(), |[near, far]| {
-            format!("from t = {} to t = {}", d.number(near), d.number(far))
-        });
-        let begins = bare.map_or(String::new(), |[near, _]| d.number(near));
-        let by_room = by_room_alone(test, bare, course);
-        let of = self.bounded(test.of);
-        let outcome = match test.outcome {
-            BoundOutcome::Behind | BoundOutcome::Beyond if bare.is_none() => BoundOutcome::Missed,
-            outcome => outcome,
-        };
-        let (tone, text) = match outcome {
-            BoundOutcome::Hit if let Some(why) = by_room => {
-                (Tone::Found, format!("{why}: {looked_at}"))
-            }
-            BoundOutcome::Hit => (Tone::Found, format!("is met {stretch}: {looked_at}")),
-            BoundOutcome::Missed => (Tone::Refused, format!("is missed: {left_out}")),
-            BoundOutcome::Behind => (
-                Tone::Refused,
-                format!("lies behind the origin, {stretch}: {left_out}"),
-            ),
-            BoundOutcome::Beyond => (
-                Tone::Refused,
-                format!("begins at t = {begins}, {}: {left_out}", beyond(course)),
-            ),
-        };
-        self.page.line(tone, format!("{of}: {volume} {text}"));
-        if let Some(place) = self.volume_of(test) {
-            self.page.indented(|page| page.line(Tone::Aside, place));
-        }
+/// Where the ray is inside a volume, and what follows from that.
+pub(super) fn bound_test(context: &Context, test: &BoundTest, course: &Course, page: &mut Pen) {
+    if !context.shows(Kind::BoundTest) {
+        return;
     }
-
-    /// Where the volume around an object is, built again from the scene; slabs are told one by one.
-    fn volume_of(&self, test: &BoundTest) -> Option<String> {
-        let d = Digits::USUAL;
-        let Bounded::Object(object) = test.of else {
-            return None;
-        };
-        let object = object as usize;
-        self.scene.objects.get(object)?;
-        match Volume::around(self.scene, object, test.volume, &SlabSet::AXES) {
-            Volume::Sphere(sphere) => Some(format!(
-                "center {}, radius {}",
-                d.vector(sphere.center),
-                d.number(sphere.radius)
-            )),
-            Volume::Ellipsoid(ellipsoid) => {
-                let [a, b, c] = [0, 1, 2].map(|i| d.vector(ellipsoid.radii[i] * ellipsoid.axes[i]));
-                let center = d.vector(ellipsoid.center);
-                Some(format!("center {center}, half axes {a}, {b} and {c}"))
-            }
-            Volume::Box(bound) => {
-                let low = d.vector(bound.d_max.map(|d_max| -d_max).into());
-                let high = d.vector(bound.d_min.map(|d_min| -d_min).into());
-                Some(format!("from {low} to {high}"))
-            }
-            Volume::Slabs(_) | Volume::Nothing => None,
+    let d = Digits::USUAL;
+    let (looked_at, left_out) = match test.of {
+        Bounded::Object(_) => ("the object is tested", "the object inside is not tested"),
+        Bounded::Node(_) => (
+            "what is below it can be looked at",
+            "nothing below it is looked at",
+        ),
+    };
+    let volume = match test.volume {
+        VolumeKind::Sphere => "the bounding sphere",
+        VolumeKind::Ellipsoid => "the bounding ellipsoid",
+        VolumeKind::Box => "the bounding box",
+        VolumeKind::Slabs => "the intersection of the slabs",
+    };
+    let bare = bare_inside(context, test, course);
+    let stretch = bare.map_or(String::new(), |[near, far]| {
+        format!("from t = {} to t = {}", d.number(near), d.number(far))
+    });
+    let begins = bare.map_or(String::new(), |[near, _]| d.number(near));
+    let by_room = by_room_alone(test, bare, course);
+    let of = bounded(context, test.of);
+    let outcome = match test.outcome {
+        BoundOutcome::Behind | BoundOutcome::Beyond if bare.is_none() => BoundOutcome::Missed,
+        outcome => outcome,
+    };
+    let (tone, text) = match outcome {
+        BoundOutcome::Hit if let Some(why) = by_room => {
+            (Tone::Found, format!("{why}: {looked_at}"))
         }
+        BoundOutcome::Hit => (Tone::Found, format!("is met {stretch}: {looked_at}")),
+        BoundOutcome::Missed => (Tone::Refused, format!("is missed: {left_out}")),
+        BoundOutcome::Behind => (
+            Tone::Refused,
+            format!("lies behind the origin, {stretch}: {left_out}"),
+        ),
+        BoundOutcome::Beyond => (
+            Tone::Refused,
+            format!("begins at t = {begins}, {}: {left_out}", beyond(course)),
+        ),
+    };
+    page.part(Part::Bound)
+        .line(tone, format!("{of}: {volume} {text}"));
+    if let Some(place) = volume_of(context, test) {
+        page.indented(|page| page.part(Part::Bound).line(Tone::Aside, place));
     }
+}
 
-    /// What a volume is around, as it is called in the text.
-    fn bounded(&self, of: Bounded) -> String {
-        match of {
-            Bounded::Node(node) => format!("node {node}"),
-            Bounded::Object(object) => {
-                let object = self.scene.objects.get(object as usize);
-                object.map_or("?".into(), |object| printable(&object.name))
-            }
+/// Where the volume around an object is, built again from the scene; slabs are told one by one.
+fn volume_of(context: &Context, test: &BoundTest) -> Option<String> {
+    let d = Digits::USUAL;
+    let Bounded::Object(object) = test.of else {
+        return None;
+    };
+    let object = object as usize;
+    context.scene.objects.get(object)?;
+    match Volume::around(context.scene, object, test.volume, &SlabSet::AXES) {
+        Volume::Sphere(sphere) => Some(format!(
+            "center {}, radius {}",
+            d.vector(sphere.center),
+            d.number(sphere.radius)
+        )),
+        Volume::Ellipsoid(ellipsoid) => {
+            let [a, b, c] = [0, 1, 2].map(|i| d.vector(ellipsoid.radii[i] * ellipsoid.axes[i]));
+            let center = d.vector(ellipsoid.center);
+            Some(format!("center {center}, half axes {a}, {b} and {c}"))
+        }
+        Volume::Box(bound) => {
+            let low = d.vector(bound.d_max.map(|d_max| -d_max).into());
+            let high = d.vector(bound.d_min.map(|d_min| -d_min).into());
+            Some(format!("from {low} to {high}"))
+        }
+        Volume::Slabs(_) | Volume::Nothing => None,
+    }
+}
+
+/// What a volume is around, as it is called in the text.
+fn bounded(context: &Context, of: Bounded) -> String {
+    match of {
+        Bounded::Node(node) => format!("node {node}"),
+        Bounded::Object(object) => {
+            let object = context.scene.objects.get(object as usize);
+            object.map_or("?".into(), |object| printable(&object.name))
         }
     }
 }

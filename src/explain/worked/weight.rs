@@ -9,35 +9,42 @@ use glam::DVec3;
 
 use crate::explain::number::Digits;
 use crate::explain::page::Tone;
-use crate::explain::worked::Solution;
 use crate::explain::worked::connection::Joined;
+use crate::explain::worked::context::Context;
+use crate::explain::worked::pen::Pen;
 use crate::explain::worked::seen::ALL_AROUND;
 use crate::explain::worked::vertex::{Vertex, VertexPlace};
+use crate::explain::worked::{seen, vertex};
 use crate::trace::{Connection, Photon};
 
-impl Solution<'_> {
-    /// w, from the shares of all edges.
-    pub(super) fn weight(&mut self, joined: &Joined, line: &Connection, eye: &[Photon]) {
-        if joined.alternatives.is_empty() {
-            return;
-        }
-        let d = Digits::USUAL;
-        let light_vertex = usize::from(line.light_vertex);
-        let eye_vertex = usize::from(line.eye_vertex);
-        let of_light = (0..=light_vertex).map(|number| self.light_vertex(line.path, number));
-        let of_eye = (0..=eye_vertex).rev();
-        let of_eye = of_eye.map(|number| self.eye_vertex(eye, number));
-        let vertices: Vec<Vertex> = of_light.chain(of_eye).collect();
+/// w, from the shares of all edges.
+pub(super) fn weight(
+    context: &Context,
+    joined: &Joined,
+    line: &Connection,
+    eye: &[Photon],
+    page: &mut Pen,
+) {
+    if joined.alternatives.is_empty() {
+        return;
+    }
+    let d = Digits::USUAL;
+    let light_vertex = usize::from(line.light_vertex);
+    let eye_vertex = usize::from(line.eye_vertex);
+    let of_light =
+        (0..=light_vertex).map(|number| vertex::light_vertex(context, line.path, number));
+    let of_eye = (0..=eye_vertex).rev();
+    let of_eye = of_eye.map(|number| vertex::eye_vertex(context, eye, number));
+    let vertices: Vec<Vertex> = of_light.chain(of_eye).collect();
 
-        self.page
-            .plain("The weight: each edge of the whole path could have been the line");
-        self.page.indent();
+    page.plain("The weight: each edge of the whole path could have been the line");
+    page.indented(|page| {
         let names: Vec<_> = (0..)
             .zip(&vertices)
             .map(|(number, vertex)| format!("{number} {}", vertex.name))
             .collect();
-        self.page.plain(format!("the path: {}", names.join(" – ")));
-        self.densities(joined, line, &vertices);
+        page.plain(format!("the path: {}", names.join(" – ")));
+        densities(context, joined, line, &vertices, page);
 
         let mut barred = Vec::new();
         for edge in 1..vertices.len() {
@@ -62,7 +69,7 @@ impl Solution<'_> {
                 d.number(alternative.share),
                 geometry = d.number(alternative.geometry),
             );
-            self.page.line(tone, text);
+            page.line(tone, text);
         }
 
         if !barred.is_empty() {
@@ -70,7 +77,7 @@ impl Solution<'_> {
                 "never the line: {}, for a mirror or glass at an end sends light on in one direction alone",
                 barred.join(", ")
             );
-            self.page.line(Tone::Aside, text);
+            page.line(Tone::Aside, text);
         }
         let w = d.number(line.weight);
         let text = match joined.alternatives.as_slice() {
@@ -82,64 +89,74 @@ impl Solution<'_> {
                 format!("w = share/Σ shares = {own}/({}) = {w}", shares.join(" + "))
             }
         };
-        self.page.line(Tone::Found, text);
-        self.page.outdent();
-    }
+        page.line(Tone::Found, text);
+        });
+}
 
-    /// φ of each vertex at which an edge ends that could have been the line.
-    fn densities(&mut self, joined: &Joined, line: &Connection, vertices: &[Vertex]) {
-        let d = Digits::USUAL;
-        for (number, vertex) in vertices.iter().enumerate() {
-            let ends_here = joined.alternatives.iter().find_map(|edge| {
-                let at = edge.edge as usize;
-                let [from, to] = edge.densities;
-                match number {
-                    _ if number + 1 == at => Some(from),
-                    _ if number == at => Some(to),
-                    _ => None,
-                }
-            });
-            let Some(density) = ends_here else { continue };
-            let phi = phi(number);
-            let text = match &vertex.place {
-                VertexPlace::Light(_) => format!(
-                    "{phi} = 1/(4π) = {}, per steradian: a photon leaves the light in any direction",
-                    d.number(ALL_AROUND)
-                ),
-                VertexPlace::Surface(photon) => {
-                    let most = photon.diffuse.max_element();
-                    format!(
-                        "{phi} = ρ/π = {}/π = {}, with the largest ρ of the channels: that of going on at all",
-                        d.number(most),
-                        d.number(most / PI)
-                    )
-                }
-                VertexPlace::Eye => {
-                    let before = number.checked_sub(1).map(|before| &vertices[before]);
-                    self.eye_density(&phi, before, line)
-                        .unwrap_or_else(|| format!("{phi} = {}", d.number(density)))
-                }
-                VertexPlace::Unknown => format!("{phi} = {}", d.number(density)),
-            };
-            self.page.plain(text);
-        }
-    }
-
-    /// φ at the eye, whose paths pass the whole window alike.
-    fn eye_density(&self, phi: &str, before: Option<&Vertex>, line: &Connection) -> Option<String> {
-        let point = match before?.photon() {
-            Some(photon) => photon.point,
-            None => line.from,
+/// φ of each vertex at which an edge ends that could have been the line.
+fn densities(
+    context: &Context,
+    joined: &Joined,
+    line: &Connection,
+    vertices: &[Vertex],
+    page: &mut Pen,
+) {
+    let d = Digits::USUAL;
+    for (number, vertex) in vertices.iter().enumerate() {
+        let ends_here = joined.alternatives.iter().find_map(|edge| {
+            let at = edge.edge as usize;
+            let [from, to] = edge.densities;
+            match number {
+                _ if number + 1 == at => Some(from),
+                _ if number == at => Some(to),
+                _ => None,
+            }
+        });
+        let Some(density) = ends_here else { continue };
+        let phi = phi(number);
+        let text = match &vertex.place {
+            VertexPlace::Light(_) => format!(
+                "{phi} = 1/(4π) = {}, per steradian: a photon leaves the light in any direction",
+                d.number(ALL_AROUND)
+            ),
+            VertexPlace::Surface(photon) => {
+                let most = photon.diffuse.max_element();
+                format!(
+                    "{phi} = ρ/π = {}/π = {}, with the largest ρ of the channels: that of going on at all",
+                    d.number(most),
+                    d.number(most / PI)
+                )
+            }
+            VertexPlace::Eye => {
+                let before = number.checked_sub(1).map(|before| &vertices[before]);
+                eye_density(context, &phi, before, line)
+                    .unwrap_or_else(|| format!("{phi} = {}", d.number(density)))
+            }
+            VertexPlace::Unknown => format!("{phi} = {}", d.number(density)),
         };
-        let camera = &self.scene.camera;
-        let direction: DVec3 = (point - camera.cop).try_normalize()?;
-        let [width, height] = camera.pixels.map(f64::from);
-        let area = camera.pixel_area() * width * height;
-        Some(format!(
-            "{phi} = d²/(A·cos θ) = {}, with A the area of the window, d and θ those of the path at the window",
-            self.by_solid_angle(direction, area)
-        ))
+        page.plain(text);
     }
+}
+
+/// φ at the eye, whose paths pass the whole window alike.
+fn eye_density(
+    context: &Context,
+    phi: &str,
+    before: Option<&Vertex>,
+    line: &Connection,
+) -> Option<String> {
+    let point = match before?.photon() {
+        Some(photon) => photon.point,
+        None => line.from,
+    };
+    let camera = &context.scene.camera;
+    let direction: DVec3 = (point - camera.cop).try_normalize()?;
+    let [width, height] = camera.pixels.map(f64::from);
+    let area = camera.pixel_area() * width * height;
+    Some(format!(
+        "{phi} = d²/(A·cos θ) = {}, with A the area of the window, d and θ those of the path at the window",
+        seen::by_solid_angle(context, direction, area)
+    ))
 }
 
 /// φ with the number of its vertex below: `φ₁₂`.

@@ -1,0 +1,96 @@
+//! HTML: a `pre` with the plain text, each line in a `span` that says what it is and which steps it tells.
+
+use std::fmt::Write as _;
+
+use crate::explain::page::{Line, Page, Tone};
+use crate::explain::render::{Hint, hint_of};
+
+/// A style for the tones, in a page's own colours where it has some. It is no part of a fragment, which a page may hold
+/// many of.
+pub const STYLE: &str = "\
+.raystep-log .heading { font-weight: bold; }
+.raystep-log .found { color: var(--raystep-found, #1a7f37); }
+.raystep-log .refused { color: var(--raystep-refused, #9a6700); }
+.raystep-log .aside, .raystep-log .folded { color: var(--raystep-aside, #57606a); }
+";
+
+/// The page as a fragment of HTML, on one line. Its text is the plain text.
+pub fn html(page: &Page, hint: Hint) -> String {
+    // a book's highlighter would take the spans out of what it believes to be code
+    let mut html = String::from("<pre class=\"raystep-log\"><code class=\"nohighlight\">");
+    for (number, line) in page.lines.iter().enumerate() {
+        if 0 < number {
+            html.push_str(&escaped("\n"));
+        }
+        if line.gap {
+            html.push_str(&escaped("\n"));
+        }
+        html.push_str(&"  ".repeat(line.indent));
+        html.push_str(&opening(line));
+        html.push_str(&escaped(&line.text));
+        html.push_str(&escaped(&hint_of(line, hint)));
+        html.push_str("</span>");
+    }
+    html.push_str("</code></pre>");
+    html
+}
+
+/// The page as a whole document, with a title and a style of its own.
+pub fn html_document(page: &Page, hint: Hint) -> String {
+    let title = page.lines.first().map_or("", |line| line.text.as_str());
+    format!(
+        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n<title>{}</title>\n\
+         <style>\n{STYLE}pre {{ white-space: pre-wrap; line-height: 1.4; }}\n</style>\n</head>\n<body>\n{}\n</body>\n\
+         </html>\n",
+        escaped(title),
+        html(page, hint)
+    )
+}
+
+/// The start of a line: its tone, its ray, its part, its first and its last step.
+fn opening(line: &Line) -> String {
+    let class = match line.tone {
+        Tone::Heading => "heading",
+        Tone::Plain => "plain",
+        Tone::Found => "found",
+        Tone::Refused => "refused",
+        Tone::Aside => "aside",
+        Tone::Folded(_) => "folded",
+    };
+    let mut tag = format!("<span class=\"{class}\"");
+    // writing into a String does not fail
+    if let Some(ray) = line.ray {
+        let _ = write!(tag, " data-ray=\"{ray}\"");
+    }
+    if let Some(part) = line.part {
+        let _ = write!(tag, " data-part=\"{}\"", part.id());
+    }
+    if let Some(steps) = line.steps {
+        let _ = write!(
+            tag,
+            " data-first=\"{}\" data-last=\"{}\"",
+            steps.first, steps.last
+        );
+    }
+    tag.push('>');
+    tag
+}
+
+/// Text as HTML has it. A line break becomes a reference, so that a fragment stays on one line; braces, dollars,
+/// backslashes and backticks too, so that no preprocessor and no reader of formulas takes a name for its own.
+pub(crate) fn escaped(text: &str) -> String {
+    let mut html = String::with_capacity(text.len());
+    for c in text.chars() {
+        match c {
+            '&' => html.push_str("&amp;"),
+            '<' => html.push_str("&lt;"),
+            '>' => html.push_str("&gt;"),
+            '"' => html.push_str("&quot;"),
+            '\n' | '{' | '}' | '$' | '\\' | '`' => {
+                let _ = write!(html, "&#{};", u32::from(c));
+            }
+            _ => html.push(c),
+        }
+    }
+    html
+}

@@ -1,0 +1,104 @@
+//! What writes a page: each line as deep as what it belongs to, with the ray and the events that it is about.
+
+use crate::explain::page::{Fold, Line, Tone, Unfold};
+use crate::explain::part::Part;
+use crate::explain::worked::extent::Extent;
+
+/// Writes the lines of a page, from top to bottom.
+#[derive(Debug, Default)]
+pub(super) struct Pen {
+    drafts: Vec<Draft>,
+    indent: usize,
+    gap: bool,
+    ray: Option<u32>,
+    extent: Option<Extent>,
+    part: Option<Part>,
+    next_part: Option<Part>,
+}
+
+/// A line whose steps are not settled.
+#[derive(Debug)]
+pub(super) struct Draft {
+    pub(super) line: Line,
+    /// The events that it has words for.
+    pub(super) extent: Option<Extent>,
+}
+
+impl Pen {
+    /// A line.
+    pub(super) fn line(&mut self, tone: Tone, text: impl Into<String>) {
+        // nothing is above the first line to be apart from
+        let gap = std::mem::take(&mut self.gap) && !self.drafts.is_empty();
+        let line = Line {
+            gap,
+            indent: self.indent,
+            tone,
+            ray: self.ray,
+            steps: None,
+            part: self.next_part.take().or(self.part),
+            text: text.into(),
+        };
+        // a heading is about all that stands below it
+        let extent = self.extent.filter(|_| tone != Tone::Heading);
+        self.drafts.push(Draft { line, extent });
+    }
+
+    /// An ordinary line.
+    pub(super) fn plain(&mut self, text: impl Into<String>) {
+        self.line(Tone::Plain, text);
+    }
+
+    /// A line that stands for so many things that [`WorkedOptions::all`](crate::WorkedOptions::all) shows.
+    pub(super) fn folded(&mut self, hidden: usize, text: impl Into<String>) {
+        let shown_by = Unfold::All;
+        self.line(Tone::Folded(Fold { hidden, shown_by }), text);
+    }
+
+    /// The next line is this part of its derivation.
+    pub(super) fn part(&mut self, part: Part) -> &mut Self {
+        self.next_part = Some(part);
+        self
+    }
+
+    /// Everything that is written inside is this part of its derivation, unless it says another.
+    pub(super) fn of_part(&mut self, part: Part, write: impl FnOnce(&mut Self)) {
+        let around = self.part.replace(part);
+        write(self);
+        self.part = around;
+    }
+
+    /// A paragraph ends here.
+    pub(super) fn gap(&mut self) {
+        self.gap = true;
+    }
+
+    /// Everything that is written inside stands one level to the right.
+    pub(super) fn indented(&mut self, write: impl FnOnce(&mut Self)) {
+        self.indent += 1;
+        write(self);
+        self.indent -= 1;
+    }
+
+    /// Everything that is written inside is about these events.
+    pub(super) fn telling(
+        &mut self,
+        extent: impl Into<Option<Extent>>,
+        write: impl FnOnce(&mut Self),
+    ) {
+        let around = std::mem::replace(&mut self.extent, extent.into());
+        write(self);
+        self.extent = around;
+    }
+
+    /// Everything that is written inside is about this ray.
+    pub(super) fn of_ray(&mut self, ray: u32, write: impl FnOnce(&mut Self)) {
+        let around = self.ray.replace(ray);
+        write(self);
+        self.ray = around;
+    }
+
+    /// What was written.
+    pub(super) fn into_drafts(self) -> Vec<Draft> {
+        self.drafts
+    }
+}
