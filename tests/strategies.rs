@@ -128,6 +128,7 @@ fn asked_of_fast<Q: Question>(name: &str, scene: &Scene, question: &Q) -> Q::Ans
             options.grid.density = 0.7;
         }
         "one cell" => options.grid.resolution = Some([1, 1, 1]),
+        "many cells" => options.grid.density = 40.0,
         other => panic!("there is no kind {other}"),
     }
     question.put(&Chosen::new(scene, strategy, &options).unwrap())

@@ -99,7 +99,7 @@ fn a_kind_like_none_is_told_with_all() {
     assert_data_eq!(
         refuses("trace scene.json --only xyz"),
         str![[r#"
-error: invalid value 'xyz' for '--only <KINDS>': there is no such kind; the kinds are merge, assign, path, pixel, ray, align, grid_enter, queue, slab_test, bound_test, node, cell, listed, mailbox, aligned, sphere_test, ellipsoid_test, cone_test, box_test, plane_test, edge, polygon_test, nearest, hit_outside_cell, grid_exit, z_sort, arrival, stored, nearby, gathered, light_term, refraction, photon, alternative, connection, shade, ray_end, pixel_colour
+error: invalid value 'xyz' for '--only <KINDS>': there is no such kind; the kinds are merge, assign, path, pixel, ray, align, grid_enter, queue, slab_ray, slab_test, bound_test, node, cell, listed, mailbox, aligned, sphere_test, ellipsoid_test, cone_test, box_test, plane_test, edge, polygon_test, nearest, hit_outside_cell, grid_exit, z_sort, arrival, stored, nearby, gathered, light_term, refraction, photon, alternative, connection, shade, ray_end, pixel_colour
 
 For more information, try '--help'.
 

@@ -213,7 +213,7 @@ fn forward_tracing_has_no_rays_of_a_pixel() {
         ),
         str![[r#"
 error: --max-rays has no effect with --transport forward
-  leave it away, or take --transport backward or --transport hybrid-light or --transport hybrid-stored or --transport hybrid-connected
+  omit it, or use --transport backward or --transport hybrid-light or --transport hybrid-stored or --transport hybrid-connected
 
 "#]]
     );
