@@ -178,7 +178,7 @@ fn each_event_of_a_page_belongs_to_the_steps_of_one_range() {
         }
     }
     assert_eq!(transports.len(), 5, "{transports:?}");
-    assert!(300 < pages && 100 < folds, "{pages} pages, {folds} folds");
+    assert!(2000 < pages && 50 < folds, "{pages} pages, {folds} folds");
 }
 
 #[test]
