@@ -392,6 +392,10 @@ mod tests {
         let is_along = |a: f64| three_four_five().is_along_a_generator(&ray, a * f64::EPSILON);
         assert!(is_along(840.0) && is_along(-840.0));
         assert!(!is_along(841.0) && !is_along(-841.0));
+        // the other way along it
+        let ray = Ray::new(ray.origin, -ray.direction);
+        let is_along = |a: f64| three_four_five().is_along_a_generator(&ray, a * f64::EPSILON);
+        assert!(is_along(840.0) && !is_along(841.0));
         // straight across a cylinder: 1·(1 + 0)
         let across = Ray::new(DVec3::ZERO, DVec3::X);
         let is_along = |a: f64| cylinder().is_along_a_generator(&across, a * f64::EPSILON);

@@ -167,4 +167,12 @@ mod tests {
         };
         assert_eq!(larger.widened(0.125).radii, DVec3::new(4.25, 2.125, 8.5));
     }
+
+    #[test]
+    fn the_coefficients_are_those_among_spheres_of_the_smallest_half_axis() {
+        // half axis 4 along x, r = 1: o′ = −10/4, Δ′ = ¼; a = 1/16, b = 2·(−2.5)/4, c = 6.25 − 1
+        let ray = Ray::new(DVec3::new(-9.0, 0.0, 0.0), DVec3::X);
+        let test = TURNED.test(&ray, TRange::FORWARD, Sides::Both);
+        assert_eq!((test.a, test.b, test.c), (0.0625, -1.25, 5.25));
+    }
 }

@@ -389,51 +389,53 @@ mod tests {
 
     #[test]
     fn parallel_and_within_are_measured_by_the_terms_at_every_length_of_the_ray() {
-        // 0.6x + 0.8y = 5, through (3, 4, 0) and along (0.8, −0.6, 0)
-        let slanted = Plane {
-            normal: DVec3::new(0.6, 0.8, 0.0),
-            d: -5.0,
-        };
-        let verdict = |up: f64, turn: f64, length: f64| {
-            let origin = DVec3::new(3.0, 4.0 + up, 0.0);
-            let direction = length * DVec3::new(0.8, -0.6 + turn, 0.0);
-            slanted
-                .test(&Ray::new(origin, direction), TRange::FORWARD, Sides::Both)
-                .verdict
-        };
-        // ε = 2⁻⁵²; the terms of the denominator are 0.48 + 0.48, and 4ε·0.96 lies between 0.8·4ε and 0.8·8ε;
-        // those of the numerator are 1.8 + 3.2 + 5, and 4ε·10 lies between 0.8·16ε and 0.8·64ε
-        let eps = f64::EPSILON;
-        for length in [1.0, 2.0_f64.powi(30), 2.0_f64.powi(-30)] {
-            assert_eq!(
-                verdict(16.0 * eps, 4.0 * eps, length),
-                PlaneVerdict::ParallelWithin
-            );
-            assert_eq!(
-                verdict(64.0 * eps, 4.0 * eps, length),
-                PlaneVerdict::ParallelBeside
-            );
-            assert!(matches!(
-                verdict(0.0, 8.0 * eps, length),
-                PlaneVerdict::Meets(_)
-            ));
+        // 0.6x + 0.8y = 5, through (3, 4, 0) and along (0.8, −0.6, 0), and its mirror images
+        let (eps, far) = (f64::EPSILON, 2.0_f64.powi(30));
+        let lengths = [1.0, far, 1.0 / far, -1.0];
+        let signs = [[1.0, 1.0], [-1.0, 1.0], [1.0, -1.0], [-1.0, -1.0]];
+        for (length, [x, y]) in lengths
+            .into_iter()
+            .flat_map(|l| signs.map(|signs| (l, signs)))
+        {
+            let mirror = DVec3::new(x, y, 1.0);
+            let slanted = Plane {
+                normal: mirror * DVec3::new(0.6, 0.8, 0.0),
+                d: -5.0,
+            };
+            let verdict = |up: f64, turn: f64| {
+                let origin = mirror * DVec3::new(3.0, 4.0 + up, 0.0);
+                let direction = length * mirror * DVec3::new(0.8, -0.6 + turn, 0.0);
+                slanted
+                    .test(&Ray::new(origin, direction), TRange::FORWARD, Sides::Both)
+                    .verdict
+            };
+            // ε = 2⁻⁵²; the terms of the denominator are 0.48 + 0.48, and 4ε·0.96 lies between 0.8·4ε and 0.8·8ε;
+            // those of the numerator are 1.8 + 3.2 + 5, and 4ε·10 lies between 0.8·16ε and 0.8·64ε
+            for side in [1.0, -1.0] {
+                let up = side * eps;
+                assert_eq!(verdict(16.0 * up, 4.0 * eps), PlaneVerdict::ParallelWithin);
+                assert_eq!(verdict(64.0 * up, -4.0 * eps), PlaneVerdict::ParallelBeside);
+                assert!(matches!(verdict(0.0, 8.0 * up), PlaneVerdict::Meets(_)));
+            }
         }
     }
 
     #[test]
     fn an_area_within_the_rounding_of_far_off_coordinates_is_none() {
-        // size 1 at x = 1023: 16ε·1·(1 + 1023) = 2⁻³⁸ for twice the area
+        // size 4 at x = 1020: 16ε·4·(4 + 1020) = 2⁻³⁶ for twice the area, which is 4·height
         let height = 2.0_f64.powi(-38);
-        let sliver = |height| {
-            [
-                [1023.0, 0.0, 0.0],
-                [1024.0, 0.0, 0.0],
-                [1023.0, height, 0.0],
-            ]
-            .map(DVec3::from)
-        };
-        assert_eq!(Plane::newell(&sliver(height)), None);
-        let plane = Plane::newell(&sliver(2.0 * height)).unwrap();
-        assert_eq!((plane.normal, plane.d), (DVec3::Z, 0.0));
+        for side in [1.0, -1.0] {
+            let sliver = |height| {
+                [
+                    [1020.0, 0.0, 0.0],
+                    [1024.0, 0.0, 0.0],
+                    [1020.0, height, 0.0],
+                ]
+                .map(|p| side * DVec3::from(p))
+            };
+            assert_eq!(Plane::newell(&sliver(height)), None);
+            let plane = Plane::newell(&sliver(2.0 * height)).unwrap();
+            assert_eq!((plane.normal, plane.d), (DVec3::Z, 0.0));
+        }
     }
 }

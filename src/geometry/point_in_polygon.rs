@@ -451,6 +451,9 @@ mod tests {
         // (3, 0, 1) has |Δ| = 4 for 1 along the normal: 32(3 + 20 + 5) + 136, four times
         let slanted = Ray::new(DVec3::new(1.0, 2.0, 0.0), DVec3::new(3.0, 0.0, 1.0));
         assert_eq!(u.blur(&slanted, 5.0), 4.0 * 1032.0 * eps);
+        // whichever signs the numbers have
+        let behind = Ray::new(DVec3::new(-1.0, -2.0, 0.0), DVec3::new(-3.0, 0.0, -1.0));
+        assert_eq!(u.blur(&behind, -5.0), 4.0 * 1032.0 * eps);
     }
 
     #[test]
@@ -477,10 +480,14 @@ mod tests {
         ] {
             assert_eq!(near(&u, index, p, 0.25), uncertain, "{p:?}");
         }
-        // (0, 0) to (4, 2): side is 4·y − 2·x, and ¼ allows (4 + 2)/4
-        let slanted = polygon(&[(0.0, 0.0), (4.0, 2.0), (0.0, 4.0)]);
-        assert!(near(&slanted, 0, (2.0, 1.375), 0.25));
-        assert!(!near(&slanted, 0, (2.0, 1.385), 0.25));
+        // (0, 0) to (4, 2) and its mirror images: side is ±(4·y − 2·x), and ¼ allows (4 + 2)/4
+        for (u, v) in [(1.0, 1.0), (-1.0, 1.0), (1.0, -1.0), (-1.0, -1.0)] {
+            let slanted = polygon(&[(0.0, 0.0), (4.0 * u, 2.0 * v), (0.0, 4.0 * v)]);
+            for (y, uncertain) in [(1.375, true), (1.385, false), (0.625, true), (0.615, false)] {
+                let p = (2.0 * u, y * v);
+                assert_eq!(near(&slanted, 0, p, 0.25), uncertain, "{p:?}");
+            }
+        }
     }
 
     #[test]
@@ -489,11 +496,17 @@ mod tests {
             |polygon: &Polygon, (x, y)| polygon.edge_by_point(0, DVec2::new(x, y), 0.0).is_none();
         assert!(near(&u_shape(), (0.0, 0.0)));
         // from (1, 2) by (3000, 1000): both terms of side are 3·10⁵ at (301, 102), and 16ε·6·10⁵ is 2.1·10⁻⁹
-        let long = polygon(&[(1.0, 2.0), (3001.0, 1002.0), (1.0, 4002.0)]);
-        assert!(near(&long, (301.0, 102.0)));
-        assert!(near(&long, (301.0, 102.0 + 5e-13)));
-        assert!(!near(&long, (301.0, 102.0 + 1e-12)));
-        assert!(!near(&long, (301.0, 900.0)));
+        for (u, v) in [(1.0, 1.0), (-1.0, 1.0), (1.0, -1.0), (-1.0, -1.0)] {
+            let long = polygon(&[(u, 2.0 * v), (3001.0 * u, 1002.0 * v), (u, 4002.0 * v)]);
+            for (y, doubt) in [
+                (102.0, true),
+                (102.0 + 5e-13, true),
+                (102.0 + 1e-12, false),
+                (900.0, false),
+            ] {
+                assert_eq!(near(&long, (301.0 * u, y * v)), doubt, "{u} {v} {y}");
+            }
+        }
         // 0.1·3 − 0.3·1 leaves a rounding of 5.6·10⁻¹⁷
         let short = polygon(&[(0.0, 0.0), (3.0, 1.0), (0.0, 4.0)]);
         assert!(near(&short, (0.3, 0.1)));
@@ -555,5 +568,19 @@ mod tests {
         assert_eq!(line.ahead, DVec3::new(1000.0, 0.0, 1000.0));
         let line = RayLine::new(&Ray::new(DVec3::X, 8.0 * DVec3::Z));
         assert_eq!(line.ahead, DVec3::new(1.0, 0.0, 8.0));
+        let line = RayLine::new(&Ray::new(DVec3::new(-1000.0, 0.0, 0.0), -0.125 * DVec3::Z));
+        assert_eq!(line.ahead, DVec3::new(-1000.0, 0.0, -1000.0));
+    }
+
+    #[test]
+    fn a_point_is_clear_of_the_edges_that_are_further_off_than_the_margin() {
+        // |side|/(|Δu| + |Δv|) from (1, 1) is 4/4, 8/8 and 4/4 for the edges of this triangle, and of its mirror images
+        for (u, v) in [(1.0, 1.0), (-1.0, 1.0), (1.0, -1.0), (-1.0, -1.0)] {
+            let mirror = DVec2::new(u, v);
+            let outline = [[0.0, 0.0], [4.0, 0.0], [0.0, 4.0]].map(|p| mirror * DVec2::from(p));
+            let crossings = |margin| clear_crossings(&outline, mirror, margin);
+            assert_eq!(crossings(1.0_f64.next_down()), Some(1));
+            assert_eq!((crossings(1.0), crossings(1.01)), (None, None));
+        }
     }
 }

@@ -531,6 +531,12 @@ mod tests {
             };
             assert_eq!(error, expected);
         }
+        // the corners on the other side: vertex 0 is still the first that is furthest off
+        let error = Polygon::new(saddle(-0.5, 0.0), None).unwrap_err();
+        assert!(
+            matches!(error, PolygonError::NotPlanar { vertex: 0, .. }),
+            "{error}"
+        );
         // 86·2⁻²² is 2.05·10⁻⁵: too much here, and within the rounding 8ε·2³⁰ = 1.9·10⁻⁶ at z = 2³⁰
         let h = 86.0 / 4_194_304.0;
         assert!(Polygon::new(saddle(h, 0.0), None).is_err());
@@ -562,36 +568,17 @@ mod tests {
                     .plane_test(&scaled, TRange::FORWARD, Sides::Both)
                     .chosen();
                 assert_eq!(found, Some(factor * t), "{exact}");
+                // nor does a minus before every coordinate
+                let mirrored = Polygon::new(vec![-a, -b, -c], None).unwrap();
+                let scaled = Ray::new(-scaled.origin, -scaled.direction);
+                let found = mirrored
+                    .plane_test(&scaled, TRange::FORWARD, Sides::Both)
+                    .chosen();
+                assert_eq!(found, Some(factor * t), "{exact}");
             }
         }
         // else this test would hold without bringing t anywhere
         assert!(1 <= outside);
-    }
-
-    #[test]
-    fn a_tip_counts_as_passed_within_the_rounding_of_the_coordinates() {
-        // only the tip is near the ray, and both edges leave it to one side
-        let tip = |x: f64, y: f64| {
-            let corners = [
-                [x, y, 5.0],
-                [x - 100.0, y + 200.0, 5.0],
-                [x - 300.0, y + 200.0, 5.0],
-            ];
-            Polygon::new(points(&corners), None).unwrap()
-        };
-        let nearest = |polygon: &Polygon, origin: [f64; 2], direction: [f64; 2]| {
-            let ray = Ray::new(
-                DVec3::new(origin[0], origin[1], 5.0),
-                DVec3::new(direction[0], direction[1], 0.0),
-            );
-            polygon.nearest_in_outline(&ray, 7.0)
-        };
-        assert_eq!(nearest(&tip(0.0, 0.0), [0.0; 2], [1.0, 0.0]), Some(0.0));
-        // 32ε(|o| + |p|)(|Δu| + |Δv|) = 32ε·(4000 + 4000)·4 = 2.3·10⁻¹⁰, and the tip lies 3·6·10⁻¹¹ beside
-        let passed = nearest(&tip(3000.0, 1000.0 + 6e-11), [-3000.0, -1000.0], [3.0, 1.0]);
-        assert!((passed.unwrap() - 2000.0).abs() <= 1e-9);
-        let beside = nearest(&tip(3000.0, 1000.0 + 1e-10), [-3000.0, -1000.0], [3.0, 1.0]);
-        assert_eq!(beside, None);
     }
 
     #[test]
@@ -602,6 +589,69 @@ mod tests {
             let normal = |off: f64| (1.0 + off * f64::EPSILON) * DVec3::Z;
             let polygon = Polygon::new(triangle.clone(), Some(vec![normal(off); 3])).unwrap();
             assert_eq!(polygon.normals().unwrap()[0], normal(kept));
+        }
+    }
+
+    #[test]
+    fn a_tip_counts_as_passed_within_the_rounding_of_the_coordinates() {
+        // only the tip is near the ray, and both edges leave it to one side; the same with all signs turned
+        for sign in [1.0, -1.0] {
+            let nearest = |tip: [f64; 2], origin: [f64; 2], direction: [f64; 2]| {
+                let [x, y] = tip;
+                let corners = [
+                    [x, y, 5.0],
+                    [x - 100.0, y + 200.0, 5.0],
+                    [x - 300.0, y + 200.0, 5.0],
+                ];
+                let corners = corners.map(|p| sign * DVec3::from(p));
+                let polygon = Polygon::new(corners.to_vec(), None).unwrap();
+                let [origin, direction] = [origin, direction].map(|p| sign * DVec2::from(p));
+                let ray = Ray::new(origin.extend(5.0 * sign), direction.extend(0.0));
+                polygon.nearest_in_outline(&ray, 7.0)
+            };
+            assert_eq!(nearest([0.0; 2], [0.0; 2], [1.0, 0.0]), Some(0.0));
+            // 32ε(|o| + |p|)(|Δu| + |Δv|) = 32ε·(4000 + 4000)·4 = 2.3·10⁻¹⁰, and the tip lies 3·6·10⁻¹¹ beside
+            let (origin, direction) = ([-3000.0, -1000.0], [3.0, 1.0]);
+            let passed = nearest([3000.0, 1000.0 + 6e-11], origin, direction);
+            assert!((passed.unwrap() - 2000.0).abs() <= 1e-9);
+            assert_eq!(nearest([3000.0, 1000.0 + 1e-10], origin, direction), None);
+        }
+    }
+
+    #[test]
+    fn along_an_edge_every_t_of_it_lies_in_the_outline() {
+        // a square of 6 along each of its sides, both ways, from 1 before it: t from 1 to 7
+        let square = points(&[
+            [0.0, 0.0, 5.0],
+            [6.0, 0.0, 5.0],
+            [6.0, 6.0, 5.0],
+            [0.0, 6.0, 5.0],
+        ]);
+        let square = Polygon::new(square, None).unwrap();
+        for side in [0.0, 6.0] {
+            for (origin, direction) in [
+                ([-1.0, side, 5.0], DVec3::X),
+                ([7.0, side, 5.0], DVec3::NEG_X),
+                ([side, -1.0, 5.0], DVec3::Y),
+                ([side, 7.0, 5.0], DVec3::NEG_Y),
+            ] {
+                let ray = Ray::new(origin.into(), direction);
+                for (t, nearest) in [(-3.0, 1.0), (0.5, 1.0), (2.5, 2.5), (6.5, 6.5), (9.0, 7.0)] {
+                    let found = square.nearest_in_outline(&ray, t);
+                    assert_eq!(found, Some(nearest), "{origin:?} along {direction} at {t}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn the_rounding_of_the_plane_is_that_of_the_vertex_with_the_largest_coordinates() {
+        // 8ε(6 + 6 + 5), on either side of the origin
+        for sign in [1.0, -1.0] {
+            let corners =
+                [[6.0, 6.0, 5.0], [0.0, 6.0, 5.0], [6.0, 0.0, 5.0]].map(|p| sign * DVec3::from(p));
+            let triangle = Polygon::new(corners.to_vec(), None).unwrap();
+            assert_eq!(triangle.off_plane, 136.0 * f64::EPSILON);
         }
     }
 }

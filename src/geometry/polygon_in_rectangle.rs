@@ -84,5 +84,9 @@ mod tests {
         // of 1 ≤ x ≤ 3, 2 ≤ y ≤ 4 the corner beyond x + y = 6 is left out: half of 1·1 at (3, 4)
         let area = polygon_in_rectangle(&triangle, DVec2::new(1.0, 2.0), DVec2::new(3.0, 4.0));
         assert_eq!(area, 3.5);
+        // the same the other way around
+        let turned = triangle.map(|p| DVec2::new(p.y, p.x));
+        let area = polygon_in_rectangle(&turned, DVec2::new(2.0, 1.0), DVec2::new(4.0, 3.0));
+        assert_eq!(area, 3.5);
     }
 }

@@ -180,6 +180,6 @@ mod tests {
         assert!(of(&[[1.0, 0.0, 0.0], [1.0, 1.1e-9, 0.0], [0.0, 0.0, 1.0]]).is_ok());
         let plane = |z: f64| of(&[[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.6, 0.8, z]]);
         assert_eq!(plane(1e-9), Err(SlabSetError::Unbounded { independent: 2 }));
-        assert!(plane(1.1e-9).is_ok());
+        assert!(plane(1.1e-9).is_ok() && plane(-1.1e-9).is_ok());
     }
 }

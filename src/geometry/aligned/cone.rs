@@ -90,7 +90,8 @@ mod tests {
 
     #[test]
     fn within_a_billionth_of_the_sizes_a_hit_on_an_end_is_that_of_the_world() {
-        for (from_base, inwards) in [(0.0, 1.0), (4.0, -1.0)] {
+        // in front of the origin, and behind it
+        for (from_base, inwards, way) in [(0.0, 1.0, 1.0), (4.0, -1.0, 1.0), (4.0, -1.0, -1.0)] {
             check(|share, length, hour| {
                 let origin = around(7.0, 9.0, hour + 1);
                 let distance = (around(from_base, 3.0 - 0.25 * from_base, hour) - origin).length();
@@ -98,7 +99,7 @@ mod tests {
                 let sizes = (origin - frustum().base()).length() + 3.0 + 4.0 + distance;
                 let y = from_base + inwards * share * 1e-9 * sizes;
                 let end = around(y, 3.0 - 0.25 * y, hour);
-                Ray::new(origin, length * (end - origin).normalize())
+                Ray::new(origin, way * length * (end - origin).normalize())
             });
         }
     }

@@ -58,7 +58,7 @@ mod tests {
             (3.6, 0.0, true), // 0.9² < 1
             (-3.6, 0.0, true),
             (4.4, 0.0, false), // 1.1
-            (4.4, 1e-9, false),
+            (-4.4, 0.0, false),
             (1.0, 3.9, true),   // ¼·(3.9/2)² < 1
             (1.0, -4.1, false), // ¼·(4.1/2)² > 1
             (-0.01, 4.1, true),
@@ -85,6 +85,7 @@ mod tests {
             (3.9e-5, 1.1, true),
             (-3.9e-5, 1.1, true),
             (4.1e-5, 1.1, false),
+            (-4.1e-5, -1.1, false),
             (4.0 * DISCRIMINANT_CANCELS, 1.1, false),
             (1.0, C_CANCELS * 1e6, false),
         ] {

@@ -266,5 +266,29 @@ mod tests {
         let corner = u_shape().corner(2, &ray);
         assert_eq!(corner.at, DVec2::new(5.0, 4.0));
         assert_eq!(corner.blur, 224.0 * f64::EPSILON);
+        // (0, 0, 5): 16·(1 + 2 + 5)
+        assert_eq!(u_shape().corner(0, &ray).blur, 128.0 * f64::EPSILON);
+    }
+
+    #[test]
+    fn an_edge_is_as_uncertain_as_its_worse_end_and_alike_from_both() {
+        let is_near = |(from, from_blur): ([f64; 2], f64), (to, to_blur): ([f64; 2], f64)| {
+            let corner = |at: [f64; 2], blur| Corner {
+                at: at.into(),
+                blur,
+            };
+            edge_past_origin(0, corner(from, from_blur), corner(to, to_blur)).is_none()
+        };
+        // ¼ above the origin, between ends that are blurred by nothing and by a little more or less than that
+        for (blur, near) in [(0.26, true), (0.24, false)] {
+            let (clear, blurred) = (([-3.0, 0.25], 0.0), ([3.0, 0.25], blur));
+            assert_eq!(is_near(clear, blurred), near, "{blur}");
+            assert_eq!(is_near(blurred, clear), near, "{blur}");
+        }
+        // within its extent but far from its line, on either side of it
+        for y in [-200.0, 200.0] {
+            let (one, other) = (([-300.0, y], 0.0), ([600.0, -y], 0.0));
+            assert!(!is_near(one, other) && !is_near(other, one), "{y}");
+        }
     }
 }
