@@ -40,7 +40,7 @@ fn a_hierarchy_is_built() {
         str![[r#"
 Pixel (80, 60) of "two balls over a floor"
 160 × 120 pixels, traced backward with rays to the lights, each ray tested against 4 objects in a hierarchy, walked depth first, depth up to 5
-what is around objects is wider than they are by some 1e-10 of the coordinates, so that rounding cuts nothing off
+bounds are padded by 1e-10 of the coordinates, so rounding cuts off no hit
 
 Built before the first ray
   node 4 from leaf 5 (A) and leaf 6 (B), slab 0: D_min = min(-1, -3) = -3, D_max = max(1, -1) = 1
@@ -69,7 +69,7 @@ fn a_hierarchy_is_walked_slab_by_slab() {
         str![[r#"
 Pixel (80, 40) of "two balls over a floor"
 160 × 120 pixels, traced backward with rays to the lights, each ray tested against 4 objects in a hierarchy, walked depth first, depth up to 5
-what is around objects is wider than they are by some 1e-10 of the coordinates, so that rounding cuts nothing off
+bounds are padded by 1e-10 of the coordinates, so rounding cuts off no hit
 
 Ray 0: from the eye, depth 1
   node 0: the slabs around it
@@ -154,7 +154,7 @@ fn a_hierarchy_is_walked_by_a_heap() {
         str![[r#"
 Pixel (80, 76) of "two balls over a floor"
 160 × 120 pixels, traced backward with rays to the lights, each ray tested against 4 objects in a hierarchy, walked by distance, depth up to 5
-what is around objects is wider than they are by some 1e-10 of the coordinates, so that rounding cuts nothing off
+bounds are padded by 1e-10 of the coordinates, so rounding cuts off no hit
 
 Ray 0: from the eye, depth 1
   P - COP = (0.00303309, -0.100092, -1), of length 1.00500128
@@ -231,7 +231,7 @@ fn a_grid_is_built() {
         str![[r#"
 Pixel (80, 60) of "two balls over a floor"
 160 × 120 pixels, traced backward with rays to the lights, each ray tested against 4 objects in the cells of a grid, depth up to 5
-what is around objects is wider than they are by some 1e-10 of the coordinates, so that rounding cuts nothing off
+bounds are padded by 1e-10 of the coordinates, so rounding cuts off no hit
 
 Built before the first ray
   cell (1, 0, 1) lists A, which lies in it as a whole
@@ -272,7 +272,7 @@ fn a_grid_is_walked_cell_by_cell() {
         str![[r#"
 Pixel (40, 80) of "two balls over a floor"
 160 × 120 pixels, traced backward with rays to the lights, each ray tested against 4 objects in the cells of a grid, depth up to 5
-what is around objects is wider than they are by some 1e-10 of the coordinates, so that rounding cuts nothing off
+bounds are padded by 1e-10 of the coordinates, so rounding cuts off no hit
 
 The pixel's centre on the window
   40.5 pixels from the left and 80.5 from the top, of 160 × 120

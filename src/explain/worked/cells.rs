@@ -27,22 +27,36 @@ pub(super) fn grid_enter(context: &Context, enter: &GridEnter, course: &Course, 
             "the ray passes by its box, but by less than the room for rounding: it starts in cell {}",
             place(cell)
         )),
-        (Some([near, far]), Some(cell)) => page.plain(format!(
-            "the ray is in its box from {} to {} and starts in cell {}",
-            d.number(near),
-            d.number(far),
+        (Some(inside), Some(cell)) => page.plain(format!(
+            "the ray is in its box from {} and starts in cell {}",
+            from_to(inside),
             place(cell)
         )),
-        (Some([near, far]), None) => page.line(
+        (Some(inside), None) => page.line(
             Tone::Refused,
             format!(
-                "the ray is in its box from {} to {}, where no t counts",
-                d.number(near),
-                d.number(far)
+                "the ray is in its box from {}, where no t counts",
+                from_to(inside)
             ),
         ),
         (None, _) => page.line(Tone::Refused, "the ray passes by its box"),
     }
+}
+
+/// Where a stretch of a ray begins and ends. A ray that starts on the box has an end at 0, and not at its rounding.
+fn from_to(ends: [f64; 2]) -> String {
+    /// t is good to some 10⁻¹⁵ of the larger end; a thousandfold leaves room for what the point was computed from.
+    const ROUNDING: f64 = 1e-12;
+    let d = Digits::USUAL;
+    let largest = ends[0].abs().max(ends[1].abs());
+    let [from, to] = ends.map(|t| {
+        if t.abs() <= ROUNDING * largest {
+            0.0
+        } else {
+            t
+        }
+    });
+    format!("{} to {}", d.number(from), d.number(to))
 }
 
 /// The grid that the log tells of, without room.
@@ -160,4 +174,16 @@ pub(super) fn assign(context: &Context, step: &AssignStep, page: &mut Pen) {
 
 fn place([i, j, k]: [u32; 3]) -> String {
     format!("({i}, {j}, {k})")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_ray_that_starts_on_the_box_is_in_it_from_0() {
+        assert_eq!(from_to([-2.032_96e-16, 3.662_25]), "0 to 3.66225");
+        assert_eq!(from_to([-3.5, 1e-16]), "-3.5 to 0");
+        assert_eq!(from_to([1e-3, 2.0]), "0.001 to 2");
+    }
 }

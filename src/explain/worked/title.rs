@@ -53,8 +53,7 @@ pub(super) fn title(context: &Context, page: &mut Pen) {
         context.settings.strategy,
         StrategyName::Bounds | StrategyName::Hierarchy | StrategyName::Heap | StrategyName::Grid
     ) {
-        let note = "what is around objects is wider than they are by some 1e-10 of the coordinates, \
-                        so that rounding cuts nothing off";
+        let note = "bounds are padded by 1e-10 of the coordinates, so rounding cuts off no hit";
         page.line(Tone::Aside, note);
     }
     if let Some(only) = &context.settings.only {
