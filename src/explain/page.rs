@@ -30,7 +30,7 @@ pub struct Line {
     pub steps: Option<StepRange>,
     /// The named part of a derivation that the line is, or the first of several.
     pub part: Option<Part>,
-    /// The words. A name from a scene file is [`printable`](crate::printable) in them, and has no markup otherwise.
+    /// The words. A name from a scene file is [`printable`](crate::scene::printable) in them, and has no markup otherwise.
     pub text: String,
 }
 
@@ -134,8 +134,8 @@ pub struct Fold {
 /// What shows the lines that a page leaves out. A renderer has its own words for it: a flag, a word, a click.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Unfold {
-    /// [`WorkedOptions::all`](crate::WorkedOptions::all).
+    /// [`WorkedOptions::all`](crate::explain::WorkedOptions::all).
     All,
-    /// [`WorkedOptions::ray`](crate::WorkedOptions::ray) with the number of this ray.
+    /// [`WorkedOptions::ray`](crate::explain::WorkedOptions::ray) with the number of this ray.
     Ray(u32),
 }

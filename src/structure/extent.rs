@@ -171,12 +171,12 @@ mod tests {
 
     #[test]
     fn a_cylinder_whose_axis_is_nearly_along_x_reaches_below_its_base() {
-        // tilted by 2⁻²⁴, of which the square is lost beside 1: the rim of radius 10 reaches 10·2⁻²⁴ to either side
+        // tilted by 2⁻²⁴, of which the square is lost beside 1: the rim of radius 10 reaches some 10·2⁻²⁴ to either side
         let tilt = 0.5_f64.powi(24);
         let cylinder = Cone::new(DVec3::ZERO, 10.0, DVec3::new(1.0, tilt, 0.0), 10.0).unwrap();
         let [low, high] = extent(&Shape::Cone(cylinder), DVec3::X);
-        // exact but for the rounding of the sine and of one product
-        let reach = 10.0 * tilt * (1.0 - 4.0 * f64::EPSILON);
+        // 10·sin of the tilt, but for the rounding of the sine and of one product
+        let reach = 10.0 * tilt / (1.0 + tilt * tilt).sqrt() * (1.0 - 4.0 * f64::EPSILON);
         assert!(low <= -reach && 1.0 + reach <= high, "{low} {high}");
         assert!(
             -11.0 * tilt <= low && high <= 1.0 + 11.0 * tilt,

@@ -188,6 +188,13 @@ fn no_number_in_words_is_room_for_rounding() {
                     if of_all || line.contains("room for rounding") || line.contains('ε') {
                         continue;
                     }
+                    // a term of the shade may be as small as it likes
+                    const OF_VOLUMES: [&str; 8] = [
+                        "slab", "near", "D_min", "Grid", "Cell", "box", "node", "Node",
+                    ];
+                    if !OF_VOLUMES.iter().any(|word| line.contains(word)) {
+                        continue;
+                    }
                     for power in ["e-8", "e-9", "e-10"] {
                         assert!(!line.contains(power), "{line}\n{settings:?}");
                     }

@@ -48,7 +48,7 @@ impl Pen {
         self.line(Tone::Plain, text);
     }
 
-    /// A line that stands for so many things that [`WorkedOptions::all`](crate::WorkedOptions::all) shows.
+    /// A line that stands for so many things that [`WorkedOptions::all`](crate::explain::WorkedOptions::all) shows.
     pub(super) fn folded(&mut self, hidden: usize, text: impl Into<String>) {
         let shown_by = Unfold::All;
         self.line(Tone::Folded(Fold { hidden, shown_by }), text);
