@@ -19,7 +19,7 @@ pub(super) const ROUNDING: f64 = 1e-10;
 /// - ellipsoid: n·c ± |(n_x·r_x, n_y·r_y, n_z·r_z)|
 /// - box: n·(center) ± Σ |nᵢ|·half sideᵢ
 /// - cone: over its two rims, n·rim ± r·|n × axis|
-/// - polygon: over its vertices, and as thick as a bent one is ([`thickness`])
+/// - polygon: over its vertices, and as thick as a bent one is
 pub fn extent(shape: &Shape, n: DVec3) -> [f64; 2] {
     match shape {
         Shape::Sphere(sphere) => around(n.dot(sphere.center), sphere.radius),
