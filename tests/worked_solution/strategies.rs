@@ -313,7 +313,7 @@ Ray 0: from the eye, depth 1
     Δ = L = (light - p)/|light - p| = [(4, 6, 5) - (-1.92683, 1.11022e-16, -2.0414)]/10.9867 = (0.539453, 0.546113, 0.640899)
     (x, y, z) = (-1.92683, 1.11022e-16, -2.0414) + t·(0.539453, 0.546113, 0.640899) … (i), for t ≥ ε = 8.32927e-9 up to 10.9867, just short of the light
     Grid of 3 × 1 × 3 cells from (-9, 0, -9) to (9, 2, 9)
-    the ray is in its box from -2.03296e-16 to 3.66225 and starts in cell (1, 0, 1)
+    the ray is in its box from 0 to 3.66225 and starts in cell (1, 0, 1)
     Cell (1, 0, 1): t from 8.32927e-9 to 3.66225, 4 objects listed; next planes: x at 9.13301, y at 3.66225, z at 7.86613; it leaves across y
     A: sphere, center (0, 1, 0), radius 1
       a·t² + b·t + c = 0 … (iii)
