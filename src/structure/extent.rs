@@ -171,7 +171,7 @@ mod tests {
 
     #[test]
     fn a_cylinder_whose_axis_is_nearly_along_x_reaches_below_its_base() {
-        // tilted by 2⁻²⁴, of which the square is lost beside 1: the rim of radius 10 reaches some 10·2⁻²⁴ to either side
+        // tilted by 2⁻²⁴, of which the square keeps 4 bits beside 1: the rim of radius 10 reaches some 10·2⁻²⁴ to either side
         let tilt = 0.5_f64.powi(24);
         let cylinder = Cone::new(DVec3::ZERO, 10.0, DVec3::new(1.0, tilt, 0.0), 10.0).unwrap();
         let [low, high] = extent(&Shape::Cone(cylinder), DVec3::X);
