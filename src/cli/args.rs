@@ -74,7 +74,7 @@ impl From<Colours> for clap::ColorChoice {
 
 impl Colours {
     /// What the arguments say before they are parsed: help and usage errors have colours too. The last word counts;
-    /// `Auto` if there is none, or it makes no sense, which is told later.
+    /// `Auto` if there is none, or if it is wrong: the error is reported later.
     pub(crate) fn of(arguments: &[OsString]) -> Self {
         let words = arguments.iter().map(|word| word.to_string_lossy());
         let options: Vec<_> = words.take_while(|word| word != "--").collect();

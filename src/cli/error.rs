@@ -124,7 +124,7 @@ pub(crate) enum Error {
         /// The budget.
         budget: u64,
     },
-    /// A trace did not come to its end.
+    /// A trace was stopped before its end.
     Stopped {
         /// Why.
         stopped: Stopped,

@@ -81,7 +81,7 @@ impl Ready {
         Chosen::new(&self.scene, *strategy, structure).map_err(|fault| Error::Structure { fault })
     }
 
-    /// Why its trace did not come to its end.
+    /// Why its trace was stopped before its end.
     pub(crate) fn stopped(&self, stopped: Stopped) -> Error {
         let transport = self.settings.transport;
         Error::Stopped { stopped, transport }
@@ -137,7 +137,7 @@ pub(crate) fn open(path: &Path, reading: &Reading) -> Result<Input, Error> {
     let mut bytes = start;
     if end == ReadEnd::Stop {
         bytes.reserve((length.min(LARGEST_FILE) as usize).saturating_sub(bytes.len()));
-        // a byte 0 is no end that text has: what is read with it is told to be none
+        // text has no byte 0: what is read with it is refused as no text
         end = read_up_to(&mut input, 0, LARGEST_FILE, &mut bytes).map_err(unreadable)?;
     }
     if end == ReadEnd::Limit {

@@ -11,7 +11,7 @@ use crate::geometry::{Axis, mean_value_weights};
 use crate::scene::Shape;
 use crate::trace::{Item, Kind, Photon, Shade};
 
-/// The point that the ray meets, before the first thing that is sent on from it.
+/// The point that the ray hits, before the first ray that is spawned there.
 pub(super) fn arrive(context: &Context, course: &mut Course, page: &mut Pen) {
     if std::mem::replace(&mut course.arrived, true) {
         return;
@@ -137,7 +137,7 @@ fn normal_formula(context: &Context, shade: &Shade) -> (&'static str, Option<Str
     }
 }
 
-/// ε of the rays that are sent on from here, if there are any.
+/// ε of the rays that are spawned here, if there are any.
 fn epsilon(context: &Context, course: &Course, shade: &Shade) -> Option<String> {
     let d = Digits::USUAL;
     let items = &context.tree.rays[course.place].items;

@@ -65,7 +65,7 @@ fn bare_grid(context: &Context, resolution: [u32; 3]) -> BareGrid {
     *context.again.grid.get_or_init(built)
 }
 
-/// The grid by whose planes the cells of a ray are told.
+/// The grid whose planes give the t of the cells in the worked text.
 pub(super) fn grid_along(
     context: &Context,
     enter: &GridEnter,
