@@ -15,6 +15,8 @@ mod printable;
 )]
 mod scene;
 mod shapes;
+#[cfg(test)]
+pub(crate) mod small_scene;
 
 pub use camera::{Camera, WindowCrossing};
 pub use fault::{DEEPEST, Fault, LARGEST, MOST_PIXELS, SMALLEST, SceneFault};

@@ -113,3 +113,73 @@ impl<const N: usize> Strategy for BoundedObjects<'_, N> {
         size_of_val(self.volumes.as_slice())
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use glam::DVec3;
+
+    use super::*;
+    use crate::scene::small_scene::{cube_at, scene_of, sphere};
+    use crate::strategy::noted::{noted, noted_in};
+
+    /// What becomes of each volume, and how many objects are tested.
+    fn outcomes(events: &[Event]) -> (Vec<BoundOutcome>, usize) {
+        let bounds = events.iter().filter_map(|event| match event {
+            Event::BoundTest(test) => Some(test.outcome),
+            _ => None,
+        });
+        let is_test = |event: &&Event| event.object_tested().0;
+        (bounds.collect(), events.iter().filter(is_test).count())
+    }
+
+    #[test]
+    fn an_object_is_tested_if_the_ray_meets_its_volume_where_a_hit_still_counts() {
+        use BoundOutcome::{Behind, Beyond, Hit, Missed};
+        let scene = scene_of(&[
+            cube_at(3.0),
+            cube_at(7.0),
+            cube_at(-5.0),
+            sphere([5.0, 9.0, 0.0], 1.0),
+        ]);
+        let ray = Ray::new(DVec3::new(0.0, 0.5, 0.5), DVec3::X);
+        for kind in [
+            VolumeKind::Box,
+            VolumeKind::Slabs,
+            VolumeKind::Sphere,
+            VolumeKind::Ellipsoid,
+        ] {
+            let strategy = BoundedObjects::new(&scene, kind, &SlabSet::SEVEN);
+            let (events, hit) = noted(&strategy, &ray);
+            assert_eq!(hit.map(|hit| (hit.object.0, hit.t)), Some((0, 3.0)));
+            assert_eq!(
+                outcomes(&events),
+                (vec![Hit, Beyond, Behind, Missed], 1),
+                "{kind:?}"
+            );
+        }
+    }
+
+    #[test]
+    fn a_range_that_ends_at_the_volume_or_begins_there_still_counts() {
+        use BoundOutcome::{Behind, Beyond, Hit};
+        let scene = scene_of(&[cube_at(3.0)]);
+        let strategy = BoundedObjects::new(&scene, VolumeKind::Box, &SlabSet::AXES);
+        let ray = Ray::new(DVec3::new(0.0, 0.5, 0.5), DVec3::X);
+        let of = |min, max| outcomes(&noted_in(&strategy, &ray, TRange { min, max }).0).0[0];
+        assert_eq!(of(0.0, 3.0), Hit);
+        assert_eq!(of(0.0, 2.9), Beyond);
+        assert_eq!(of(4.0, 9.0), Hit);
+        assert_eq!(of(4.1, 9.0), Behind);
+    }
+
+    #[test]
+    fn there_is_one_volume_for_each_object() {
+        let scene = scene_of(&[cube_at(3.0), cube_at(7.0)]);
+        let strategy = BoundedObjects::new(&scene, VolumeKind::Box, &SlabSet::AXES);
+        assert_eq!(strategy.volumes().len(), 2);
+        assert_eq!(strategy.bytes(), 2 * size_of::<Volume<3>>());
+        // 2·10⁻¹⁰ of 1 + 2 + 3 and of the largest coordinate of 8, and 10⁻¹⁰ of 8
+        let ray = Ray::new(DVec3::new(1.0, -2.0, 3.0), DVec3::X);
+        assert!((strategy.room(&ray) - 36e-10).abs() <= 1e-20);
+    }
+}

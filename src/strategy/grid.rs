@@ -142,3 +142,149 @@ impl Strategy for UniformGrid<'_> {
         self.grid.bytes()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use glam::DVec3;
+
+    use super::*;
+    use crate::scene::small_scene::{cube_at, polygon, scene_of, solid};
+    use crate::strategy::noted::noted;
+
+    fn options(resolution: [u32; 3], mailboxes: bool) -> GridOptions {
+        GridOptions {
+            resolution: Some(resolution),
+            mailboxes,
+            ..GridOptions::default()
+        }
+    }
+
+    #[test]
+    fn cells_are_visited_a_billionth_before_the_range_and_behind_it() {
+        let range = walked(TRange { min: 2.0, max: 4.0 });
+        assert_eq!(
+            (range.min, range.max),
+            (2.0 * (1.0 - 1e-9), 4.0 * (1.0 + 1e-9))
+        );
+    }
+
+    #[test]
+    fn a_hit_is_passed_from_a_billionth_of_t_on() {
+        assert!(is_passed(2.0, 2.1));
+        assert!(!is_passed(2.0, 2.0));
+        assert!(!is_passed(2.0, 2.0 + 1.9e-9));
+        assert!(is_passed(2.0, 2.0 + 2.1e-9));
+        assert!(!is_passed(2.0, 1.9));
+    }
+
+    /// A wall from (0.5, 0, 0) to (3.5, 2, 0), slanted through four cells in a row, and cubes that hold the grid from 0 to 4.
+    fn slanted_wall() -> Scene {
+        let wall = [
+            [0.5, 0.1, 0.1],
+            [3.5, 1.9, 0.1],
+            [3.5, 1.9, 1.9],
+            [0.5, 0.1, 1.9],
+        ];
+        let ends = [
+            solid([0.0, 1.5, 0.0], [0.25, 2.0, 2.0]),
+            solid([3.75, 0.0, 0.0], [4.0, 2.0, 2.0]),
+        ];
+        scene_of(&[polygon(&wall), ends[0].clone(), ends[1].clone()])
+    }
+
+    #[test]
+    fn a_hit_in_a_later_cell_is_kept_and_its_mailbox_spares_the_test_there() {
+        let scene = slanted_wall();
+        // y = 0.1 + 0.6(x − 0.5) is 1.2 at x = 2⅓: the hit is in the third cell
+        let ray = Ray::new(DVec3::new(-1.0, 1.2, 1.0), DVec3::X);
+        let grid = UniformGrid::new(&scene, &options([4, 1, 1], true)).unwrap();
+        let (events, hit) = noted(&grid, &ray);
+        let hit = hit.unwrap();
+        assert_eq!(hit.object, PrimitiveId(0));
+        assert!((hit.t - (1.0 + 0.5 + 1.1 / 0.6)).abs() <= 1e-14, "{hit:?}");
+        let told: Vec<String> = events
+            .iter()
+            .filter_map(|event| match event {
+                Event::GridEnter(enter) => Some(format!("enter {:?}", enter.cell)),
+                Event::Cell(cell) => Some(format!("cell {} of {}", cell.step.cell[0], cell.listed)),
+                Event::Listed { object } => Some(format!("listed {}", object.0)),
+                Event::Mailbox { object } => Some(format!("mailbox {}", object.0)),
+                Event::HitOutsideCell(of) => Some(format!("hit outside {:.6}", of.t_out)),
+                Event::GridExit(exit) => Some(format!("{:?} after {}", exit.end, exit.cells)),
+                _ => None,
+            })
+            .collect();
+        let expected = [
+            "enter Some([0, 0, 0])",
+            "cell 0 of 2",
+            "listed 0",
+            "hit outside 2.000000",
+            "listed 1",
+            "cell 1 of 1",
+            "listed 0",
+            "mailbox 0",
+            "cell 2 of 1",
+            "listed 0",
+            "mailbox 0",
+            "HitInCell after 3",
+        ];
+        assert_eq!(told, expected);
+    }
+
+    #[test]
+    fn without_mailboxes_an_object_is_tested_in_each_of_its_cells() {
+        let scene = slanted_wall();
+        let ray = Ray::new(DVec3::new(-1.0, 1.2, 1.0), DVec3::X);
+        let tests = |mailboxes| {
+            let grid = UniformGrid::new(&scene, &options([4, 1, 1], mailboxes)).unwrap();
+            let (events, _) = noted(&grid, &ray);
+            let is_test = |event: &&Event| matches!(event, Event::PlaneTest { .. });
+            events.iter().filter(is_test).count()
+        };
+        assert_eq!((tests(true), tests(false)), (1, 3));
+    }
+
+    #[test]
+    fn a_walk_that_hits_nothing_leaves_the_grid_and_one_beside_it_begins_nowhere() {
+        let scene = scene_of(&[cube_at(0.0), cube_at(3.0)]);
+        let grid = UniformGrid::new(&scene, &options([4, 1, 1], true)).unwrap();
+        let end = |origin: [f64; 3], direction: [f64; 3]| {
+            let (events, hit) = noted(&grid, &Ray::new(origin.into(), direction.into()));
+            assert_eq!(hit, None);
+            match events.last() {
+                Some(Event::GridExit(exit)) => (exit.end, exit.cells),
+                other => panic!("{other:?}"),
+            }
+        };
+        // through the two empty cells in the middle, across
+        assert_eq!(end([1.5, 0.5, -1.0], [0.0, 0.0, 1.0]), (WalkEnd::Left, 1));
+        assert_eq!(end([1.5, 0.5, -1.0], [0.1, 0.0, 1.0]), (WalkEnd::Left, 1));
+        assert_eq!(
+            end([-1.0, 1.5, 0.5], [1.0, 0.0, 0.0]),
+            (WalkEnd::Outside, 0)
+        );
+    }
+
+    #[test]
+    fn the_grid_s_building_puts_each_object_into_its_cells() {
+        let scene = scene_of(&[
+            solid([0.0; 3], [2.0, 1.0, 1.0]),
+            solid([2.5, 0.2, 0.2], [4.0, 0.8, 0.8]),
+        ]);
+        let grid = UniformGrid::new(&scene, &options([4, 1, 1], true)).unwrap();
+        let mut recording = crate::trace::Recording::new(Vec::new());
+        grid.note_building(&mut recording);
+        let cells: Vec<_> = recording
+            .into_sink()
+            .into_iter()
+            .map(|record| match record.event {
+                Event::Assign(step) => (step.object.0, step.cell[0]),
+                other => panic!("{other:?}"),
+            })
+            .collect();
+        // the first reaches with its room across the plane at 2
+        assert_eq!(cells, [(0, 0), (0, 1), (0, 2), (1, 2), (1, 3)]);
+        // 5 + 2 + 2 planes of 8 bytes, 5 starts and 5 entries of 4
+        assert_eq!(grid.bytes(), 72 + 20 + 20);
+    }
+}

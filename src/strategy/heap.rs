@@ -99,3 +99,80 @@ fn note<R: Recorder>(action: QueueAction, of: Waiting, size: usize, recorder: &m
         })
     });
 }
+
+#[cfg(test)]
+mod tests {
+    use glam::DVec3;
+
+    use super::*;
+    use crate::scene::PrimitiveId;
+    use crate::scene::small_scene::{cube_at, scene_of};
+    use crate::strategy::noted::noted;
+
+    #[test]
+    fn the_nearest_node_leaves_the_heap_first_and_one_behind_the_hit_ends_the_search() {
+        use QueueAction::{Pop, Push, Stop};
+        // two pairs of cubes far apart, of which each pair is a leaf
+        let scene = scene_of(&[0.0, 1.0, 8.0, 9.0].map(cube_at));
+        let strategy = HeapOrdered::new(&scene, &SlabSet::AXES, Build::SurfaceArea);
+        let steps = |origin: f64, direction: f64| {
+            let ray = Ray::new(DVec3::new(origin, 0.5, 0.5), direction * DVec3::X);
+            let (events, hit) = noted(&strategy, &ray);
+            let steps = events.into_iter().filter_map(|event| match event {
+                // the room for rounding is below a millionth
+                Event::Queue(step) => Some((step.action, step.node, step.key.round(), step.size)),
+                _ => None,
+            });
+            (
+                steps.collect::<Vec<_>>(),
+                hit.map(|hit| (hit.object.0, hit.t)),
+            )
+        };
+        let (from_left, hit) = steps(-1.0, 1.0);
+        assert_eq!(hit, Some((0, 1.0)));
+        let expected = [
+            (Push, 0, 1.0, 1),
+            (Pop, 0, 1.0, 0),
+            (Push, 1, 1.0, 1),
+            (Push, 2, 9.0, 2),
+            (Pop, 1, 1.0, 1),
+            (Stop, 2, 9.0, 0),
+        ];
+        assert_eq!(from_left, expected);
+        let (from_right, hit) = steps(11.0, -1.0);
+        assert_eq!(hit, Some((3, 1.0)));
+        let expected = [
+            (Push, 0, 1.0, 1),
+            (Pop, 0, 1.0, 0),
+            (Push, 1, 9.0, 1),
+            (Push, 2, 1.0, 2),
+            (Pop, 2, 1.0, 1),
+            (Stop, 1, 9.0, 0),
+        ];
+        assert_eq!(from_right, expected);
+    }
+
+    #[test]
+    fn the_objects_of_both_leaves_are_found_and_the_depth_grows_by_one() {
+        let scene = scene_of(&[0.0, 1.0, 8.0, 9.0].map(cube_at));
+        let strategy = HeapOrdered::new(&scene, &SlabSet::AXES, Build::SurfaceArea);
+        // between the pairs
+        let (events, hit) = noted(&strategy, &Ray::new(DVec3::new(5.0, 0.5, 0.5), DVec3::X));
+        assert_eq!(
+            hit.map(|hit| (hit.object, hit.t)),
+            Some((PrimitiveId(2), 3.0))
+        );
+        let depths: Vec<_> = events
+            .iter()
+            .filter_map(|event| match event {
+                Event::Node(visit) => Some((visit.node, visit.depth)),
+                _ => None,
+            })
+            .collect();
+        assert_eq!(depths, [(0, 0), (1, 1), (2, 1)]);
+        assert_eq!(strategy.bytes(), 3 * 64 + 4 * 4);
+        let mut recording = crate::trace::Recording::new(Vec::new());
+        strategy.note_building(&mut recording);
+        assert_eq!(recording.into_sink().len(), 3);
+    }
+}

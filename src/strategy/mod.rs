@@ -13,6 +13,8 @@ mod heap;
 mod hierarchy;
 mod nearest;
 mod node_bounds;
+#[cfg(test)]
+mod noted;
 mod object_test;
 mod slab_rays;
 mod transformed;

@@ -138,3 +138,22 @@ impl PartialEq for Waiting {
 }
 
 impl Eq for Waiting {}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_nearer_node_comes_first_and_of_equals_the_one_with_the_lower_number() {
+        let waiting = |near, node| Waiting {
+            near,
+            node,
+            depth: 0,
+        };
+        assert_eq!(waiting(1.0, 9).cmp(&waiting(2.0, 3)), Ordering::Less);
+        assert_eq!(waiting(2.0, 3).cmp(&waiting(2.0, 9)), Ordering::Less);
+        assert!(waiting(2.0, 3) == waiting(2.0, 3));
+        assert!(waiting(2.0, 3) != waiting(2.0, 4));
+        assert!(waiting(3.0, 3) > waiting(2.0, 4));
+    }
+}

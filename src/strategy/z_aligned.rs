@@ -118,3 +118,59 @@ fn test_aligned<R: Recorder>(
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use glam::DVec3;
+
+    use super::*;
+    use crate::scene::small_scene::{cube_at, polygon, scene_of, sphere};
+    use crate::strategy::noted::{noted, noted_in};
+    use crate::trace::Off;
+
+    #[test]
+    fn hits_are_sorted_by_z_which_is_t_times_the_length_of_the_direction() {
+        // along x: the cube at 9, the sphere from 4 to 6, the triangle at 7, one cube beside
+        let triangle = polygon(&[[7.0, -1.0, -1.0], [7.0, 2.0, -1.0], [7.0, -1.0, 2.0]]);
+        let scene = scene_of(&[
+            cube_at(9.0),
+            sphere([5.0, 0.25, 0.25], 1.0),
+            triangle,
+            r#"{"cone":{"base":[3,9,0],"base_radius":1,"apex":[3,12,0],"apex_radius":0}}"#
+                .to_string(),
+            r#"{"ellipsoid":{"center":[20,0.25,0.25],"radii":[8,1,1]}}"#.to_string(),
+        ]);
+        let ray = Ray::new(DVec3::new(0.0, 0.25, 0.25), 2.0 * DVec3::X);
+        let (events, hit) = noted(&ZAligned::new(&scene), &ray);
+        let hit = hit.unwrap();
+        assert_eq!(hit.object, PrimitiveId(1));
+        assert!((hit.t - 2.0).abs() <= 1e-15, "{hit:?}");
+        let sorted: Vec<_> = events
+            .iter()
+            .filter_map(|event| match event {
+                Event::ZSort(of) => Some((of.place, of.object.0, (of.z * 1e9).round() / 1e9)),
+                _ => None,
+            })
+            .collect();
+        assert_eq!(
+            sorted,
+            [(0, 1, 4.0), (1, 2, 7.0), (2, 0, 9.0), (3, 4, 12.0)]
+        );
+    }
+
+    #[test]
+    fn hits_beyond_the_range_are_none_and_of_equal_ones_the_first_object_wins() {
+        let scene = scene_of(&[cube_at(5.0), cube_at(3.0), cube_at(3.0)]);
+        let strategy = ZAligned::new(&scene);
+        let ray = Ray::new(DVec3::new(0.0, 0.5, 0.5), DVec3::X);
+        let hit = noted(&strategy, &ray).1.unwrap();
+        assert_eq!((hit.object, hit.t), (PrimitiveId(1), 3.0));
+        assert_eq!(
+            noted_in(&strategy, &ray, TRange::FORWARD.up_to(2.9)).1,
+            None
+        );
+        // a shadow ray ends at the first that it meets in the order of the scene
+        let any = strategy.any(&ray, TRange::FORWARD, &mut Off).unwrap();
+        assert_eq!((any.object, any.t), (PrimitiveId(0), 5.0));
+    }
+}

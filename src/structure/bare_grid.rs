@@ -126,4 +126,109 @@ mod tests {
         // the grid's own planes lie a little further out
         assert!(grid.min().x < 0.0 && 4.0 < grid.max().x);
     }
+
+    /// A box from (1, 2, 3) to (5, 4, 9) in 4 × 2 × 3 cells: planes at 1 … 5, at 2, 3, 4 and at 3, 5, 7, 9.
+    fn off_the_origin() -> BareGrid {
+        use crate::scene::small_scene::{scene_of, solid};
+        let scene = scene_of(&[solid([1.0, 2.0, 3.0], [5.0, 4.0, 9.0])]);
+        BareGrid::around(&scene, [4, 2, 3])
+    }
+
+    #[test]
+    fn the_bare_box_is_that_of_the_objects_and_a_point_without_any() {
+        use crate::scene::small_scene::{cube_at, scene_of, sphere};
+        let scene = scene_of(&[cube_at(3.0), sphere([1.0, 5.0, 2.0], 4.0)]);
+        let grid = BareGrid::around(&scene, [1; 3]);
+        assert_eq!(
+            (grid.min, grid.max),
+            (DVec3::new(-3.0, 0.0, -2.0), DVec3::new(5.0, 9.0, 6.0))
+        );
+        let grid = BareGrid::around(&scene_of(&[]), [1; 3]);
+        assert_eq!((grid.min, grid.max), (DVec3::ZERO, DVec3::ZERO));
+    }
+
+    #[test]
+    fn a_ray_is_inside_from_the_largest_near_to_the_smallest_far() {
+        let grid = off_the_origin();
+        let inside = |origin: [f64; 3], direction: [f64; 3]| {
+            grid.inside(&Ray::new(origin.into(), direction.into()))
+        };
+        // x = 1 … 5 at t = 1 … 5, y = 2 … 4 at 2 … 4, z = 3 … 9 at ¼ … 3¼
+        let along = [1.0, 1.0, 2.0];
+        assert_eq!(inside([0.0, 0.0, 2.5], along), Some([2.0, 3.25]));
+        assert_eq!(
+            inside([6.0, 6.0, 9.5], [-1.0, -1.0, -2.0]),
+            Some([2.0, 3.25])
+        );
+        // x from 1, y up to 4: crossed, and touching an edge in one t
+        assert_eq!(inside([0.0, 3.5, 2.5], along), None);
+        assert_eq!(inside([0.0, 3.0, 2.5], along), Some([1.0, 1.0]));
+    }
+
+    #[test]
+    fn a_parallel_ray_is_inside_between_the_planes_and_in_them() {
+        let grid = off_the_origin();
+        let crosses = |y: f64| {
+            let ray = Ray::new(DVec3::new(0.0, y, 6.0), DVec3::X);
+            grid.inside(&ray).is_some()
+        };
+        assert_eq!(
+            [1.9, 2.0, 3.0, 4.0, 4.1].map(crosses),
+            [false, true, true, true, false]
+        );
+        // without a direction there is no t
+        assert_eq!(
+            grid.inside(&Ray::new(DVec3::new(2.0, 3.0, 6.0), DVec3::ZERO)),
+            None
+        );
+    }
+
+    #[test]
+    fn a_step_begins_at_the_planes_behind_and_ends_at_the_next_ones() {
+        use crate::structure::Across;
+        let grid = off_the_origin();
+        // in the cell (2, 0, 1): x from 3 to 4, y from 2 to 3, z from 5 to 7
+        let step = CellStep {
+            cell: [2, 0, 1],
+            t_in: 0.0,
+            t_out: 9.0,
+            next: [9.0; 3],
+            across: Across::X,
+        };
+        let up = Ray::new(DVec3::new(2.5, 2.5, 5.5), DVec3::new(1.0, 0.25, 0.5));
+        let expected = CellStep {
+            t_in: 0.5,
+            t_out: 1.5,
+            next: [1.5, 2.0, 3.0],
+            ..step
+        };
+        assert_eq!(grid.step(&up, 0.0, &step), expected);
+        // a range that begins inside the cell
+        let later = CellStep {
+            t_in: 0.75,
+            ..expected
+        };
+        assert_eq!(grid.step(&up, 0.75, &step), later);
+        let down = Ray::new(DVec3::new(4.5, 3.25, 7.5), DVec3::new(-1.0, -0.25, -0.5));
+        let expected = CellStep {
+            t_in: 1.0,
+            t_out: 1.5,
+            next: [1.5, 5.0, 5.0],
+            ..step
+        };
+        assert_eq!(grid.step(&down, 0.0, &step), expected);
+        // along x alone: the others have no next plane
+        let level = Ray::new(DVec3::new(2.5, 2.5, 5.5), DVec3::X);
+        let walked = CellStep {
+            next: [9.0, f64::INFINITY, f64::INFINITY],
+            ..step
+        };
+        let expected = CellStep {
+            t_in: 0.5,
+            t_out: 1.5,
+            next: [1.5, f64::INFINITY, f64::INFINITY],
+            ..walked
+        };
+        assert_eq!(grid.step(&level, 0.0, &walked), expected);
+    }
 }

@@ -79,3 +79,30 @@ impl CellLists {
         size_of_val(self.starts.as_slice()) + size_of_val(self.objects.as_slice())
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn each_cell_lists_its_objects_in_the_order_of_the_scene() {
+        // by object: 0 in the cells 0 and 2, 1 in 2, 2 in 2 and 1
+        let cells: [&[usize]; 3] = [&[0, 2], &[2], &[2, 1]];
+        let lists = CellLists::filled(4, 3, |object, put| {
+            for &cell in cells[object] {
+                put(cell);
+            }
+        });
+        let lists = lists.unwrap();
+        let of = |cell| lists.of(cell).iter().map(|id| id.0).collect::<Vec<_>>();
+        assert_eq!(
+            [0, 1, 2, 3].map(of),
+            [vec![0], vec![2], vec![0, 1, 2], vec![]]
+        );
+        assert_eq!(lists.range(2), 2..5);
+        assert_eq!(lists.total(), 5);
+        assert_eq!(lists.objects().len(), 5);
+        // five starts and five entries of 4 bytes
+        assert_eq!(lists.bytes(), 40);
+    }
+}

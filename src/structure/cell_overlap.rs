@@ -233,3 +233,146 @@ fn cut(
         from = to;
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::small_scene::{polygon, scene_of, sphere};
+    use crate::structure::extent::widened_extent;
+
+    /// Which of 4 × 4 × 4 cells with sides of 1 list a shape: i, j, k of each.
+    fn cells_of(shape: &str, lists: Lists) -> Vec<[u32; 3]> {
+        let cells = CellPlanes::new(DVec3::ZERO, DVec3::splat(4.0), [4; 3]);
+        let mut overlap = CellOverlap::new(&cells, lists, 1e-12);
+        let scene = scene_of(&[shape.to_string()]);
+        let shape = &scene.primitives[0].shape;
+        let bounds = DVec3::AXES.map(|axis| widened_extent(shape, axis));
+        let mut numbers = Vec::new();
+        overlap.cells_of(shape, bounds, &mut |number| numbers.push(number));
+        numbers.sort_unstable();
+        numbers
+            .into_iter()
+            .map(|number| cells.cell(number))
+            .collect()
+    }
+
+    fn count(shape: &str) -> usize {
+        cells_of(shape, Lists::Objects).len()
+    }
+
+    #[test]
+    fn a_sphere_in_the_middle_reaches_into_the_cells_whose_closest_point_is_within_its_radius() {
+        // closest points of the 64 cells around (2, 2, 2): 8 at 0, 24 at 1, 24 at √2, 8 at √3
+        let of = |radius: f64| count(&sphere([2.0; 3], radius));
+        let counts = [0.9, 1.1, 1.4, 1.45, 1.7, 1.75].map(of);
+        assert_eq!(counts, [8, 32, 32, 56, 56, 64]);
+        // at 1 it touches the planes
+        assert_eq!(of(1.0), 32);
+        assert_eq!(cells_of(&sphere([2.0; 3], 1.1), Lists::Boxes).len(), 64);
+    }
+
+    #[test]
+    fn a_sphere_in_a_corner_reaches_into_the_cells_near_it() {
+        // from (0.5, 0.5, 3.5) the cells beside are 0.5 away, those across an edge √½ = 0.707, across the corner √¾ = 0.866
+        let of = |radius: f64| count(&sphere([0.5, 0.5, 3.5], radius));
+        assert_eq!([0.4, 0.6, 0.8, 0.9].map(of), [1, 4, 7, 8]);
+    }
+
+    #[test]
+    fn an_ellipsoid_reaches_as_far_as_its_half_axis_along_each_axis() {
+        // 1.9 along y alone: the cells beside the four columns are too far across
+        let upright = r#"{"ellipsoid":{"center":[2,2,2],"radii":[0.9,1.9,0.9]}}"#;
+        assert_eq!(count(upright), 16);
+        // (1/1.9)² + (1/1.2)² = 0.97 within, (1/1.9)² + (1/1.1)² = 1.10 outside
+        let flat =
+            |z: f64| format!(r#"{{"ellipsoid":{{"center":[2,2,2],"radii":[0.9,1.9,{z}]}}}}"#);
+        assert_eq!([1.2, 1.1].map(|z| count(&flat(z))), [32, 24]);
+    }
+
+    #[test]
+    fn a_box_is_listed_in_every_cell_it_touches_and_a_shape_in_one_cell_in_that() {
+        let solid = r#"{"box":{"min":[0.5,1.5,2.5],"max":[2.5,2.5,2.75]}}"#;
+        let expected = [
+            [0, 1, 2],
+            [1, 1, 2],
+            [2, 1, 2],
+            [0, 2, 2],
+            [1, 2, 2],
+            [2, 2, 2],
+        ];
+        assert_eq!(cells_of(solid, Lists::Objects), expected);
+        assert_eq!(
+            cells_of(&sphere([3.5, 0.5, 1.5], 0.25), Lists::Objects),
+            [[3, 0, 1]]
+        );
+    }
+
+    #[test]
+    fn a_flat_triangle_reaches_into_the_cells_before_its_slanted_side() {
+        // x + y ≤ 3.9 from (0.5, 0.5) on: 4, 3, 2 and 1 cells of each column
+        let triangle = polygon(&[[0.5, 0.5, 1.5], [3.4, 0.5, 1.5], [0.5, 3.4, 1.5]]);
+        let mut expected = Vec::new();
+        for j in 0..4 {
+            expected.extend((0..4 - j).map(|i| [i, j, 1]));
+        }
+        assert_eq!(cells_of(&triangle, Lists::Objects), expected);
+        assert_eq!(cells_of(&triangle, Lists::Boxes).len(), 16);
+    }
+
+    #[test]
+    fn an_upright_triangle_reaches_into_the_cells_below_its_slanted_side() {
+        // z ≤ x − 0.2 in the plane y = 1.5: one cell of the first column, two of the second, and so on
+        let triangle = polygon(&[[0.7, 1.5, 0.5], [3.5, 1.5, 0.5], [3.5, 1.5, 3.3]]);
+        let mut expected = Vec::new();
+        for k in 0..4 {
+            expected.extend((k..4).map(|i| [i, 1, k]));
+        }
+        assert_eq!(cells_of(&triangle, Lists::Objects), expected);
+        // the same across x: y from z + 0.2 on
+        let across = polygon(&[[1.5, 0.7, 0.5], [1.5, 3.5, 0.5], [1.5, 3.5, 3.3]]);
+        let mut expected = Vec::new();
+        for k in 0..4 {
+            expected.extend((k..4).map(|j| [1, j, k]));
+        }
+        assert_eq!(cells_of(&across, Lists::Objects), expected);
+    }
+
+    #[test]
+    fn a_cone_reaches_into_the_cells_of_its_box_that_it_touches() {
+        // a tip at (2, 2, 4) over a base of radius 1.9 at z = 0: in the top layer z ≥ 3 its radius is at most 0.475, in the
+        // third 0.95, in the second 1.425, where a corner is √2 = 1.414 away
+        let cone = r#"{"cone":{"base":[2,2,0],"base_radius":1.9,"apex":[2,2,4],"apex_radius":0}}"#;
+        let found = cells_of(cone, Lists::Objects);
+        let layers = [0, 1, 2, 3].map(|k| found.iter().filter(|cell| cell[2] == k).count());
+        assert_eq!(layers, [16, 16, 4, 4]);
+    }
+
+    #[test]
+    fn an_outline_is_cut_at_a_plane_in_the_order_of_its_corners() {
+        let square = [
+            [0.0, 0.0, 0.0],
+            [4.0, 0.0, 2.0],
+            [4.0, 4.0, 2.0],
+            [0.0, 4.0, 0.0],
+        ]
+        .map(DVec3::from);
+        let mut left = Vec::new();
+        cut(&square, 0, 1.0, |x| 1.0 <= x, &mut left);
+        // a quarter of the way along the lower and three quarters along the upper edge
+        let expected = [
+            [1.0, 0.0, 0.5],
+            [4.0, 0.0, 2.0],
+            [4.0, 4.0, 2.0],
+            [1.0, 4.0, 0.5],
+        ];
+        assert_eq!(left, expected.map(DVec3::from));
+        let (mut half, mut clipped) = (Vec::new(), Vec::new());
+        clip(&square, 0, [1.0, 3.0], &mut half, &mut clipped);
+        let mut xs: Vec<_> = clipped.iter().map(|p| p.x).collect();
+        xs.sort_by(f64::total_cmp);
+        assert_eq!(xs, [1.0, 1.0, 3.0, 3.0]);
+        assert_eq!(range(&clipped, 2, 0.25), Some([0.25, 1.75]));
+        cut(&square, 0, 5.0, |x| 5.0 <= x, &mut left);
+        assert_eq!(range(&left, 2, 0.25), None);
+    }
+}

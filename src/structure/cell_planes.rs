@@ -177,4 +177,42 @@ mod tests {
         assert!(100 < n, "{n}");
         assert!(cells.axis(0).is_sorted_by(|a, b| a < b));
     }
+
+    #[test]
+    fn a_number_is_that_of_one_cell_and_back() {
+        // 2 × 3 × 4: z counts in sixes, y in twos
+        let cells = CellPlanes::new(DVec3::ZERO, DVec3::ONE, [2, 3, 4]);
+        assert_eq!(cells.number([1, 2, 3]), 1 + 2 * 2 + 3 * 6);
+        assert_eq!(cells.cell(23), [1, 2, 3]);
+        assert_eq!(cells.cell(8), [0, 1, 1]);
+        assert_eq!(cells.strides(), [1, 2, 6]);
+        assert_eq!(cells.resolution(), [2, 3, 4]);
+        // 3 + 4 + 5 planes of 8 bytes
+        assert_eq!(cells.bytes(), 96);
+        assert!(!cells.is_empty() && CellPlanes::default().is_empty());
+    }
+
+    #[test]
+    fn planes_of_a_box_beside_the_origin_go_from_its_smallest_to_its_largest_coordinate() {
+        let (min, max) = (DVec3::new(1.0, -2.0, 3.0), DVec3::new(5.0, 0.0, 9.0));
+        let cells = CellPlanes::new(min, max, [4, 2, 3]);
+        assert_eq!(cells.axis(0), [1.0, 2.0, 3.0, 4.0, 5.0]);
+        assert_eq!(cells.axis(1), [-2.0, -1.0, 0.0]);
+        assert_eq!(cells.axis(2), [3.0, 5.0, 7.0, 9.0]);
+        for (range, touched) in [
+            ([3.5, 6.9], [0, 1]),
+            ([5.0, 8.0], [0, 2]),
+            ([7.5, 99.0], [2, 2]),
+        ] {
+            assert_eq!(cells.touched(2, range), touched, "{range:?}");
+        }
+    }
+
+    #[test]
+    fn cells_along_an_axis_are_at_least_eight_roundings_wide() {
+        // of 1 unit beside coordinates up to 2: 1/(8ε·2) = 2⁵²/16
+        assert_eq!(CellPlanes::most_along(1.0, 2.0), 2.0_f64.powi(48));
+        assert_eq!(CellPlanes::most_along(-2.0, -1.0), 2.0_f64.powi(48));
+        assert_eq!(CellPlanes::most_along(-1.0, 1.0), 2.0_f64.powi(50));
+    }
 }

@@ -205,4 +205,125 @@ mod tests {
         assert!((low + 64e-6).abs() <= 1e-11, "{low}");
         assert!((high - 68e-6).abs() <= 1e-11, "{high}");
     }
+
+    /// Two roundings of coordinates up to 16.
+    const TWICE_ROUNDED: f64 = 4e-15;
+
+    #[track_caller]
+    fn check_box(found: [DVec3; 2], expected: [[f64; 3]; 2]) {
+        for (found, expected) in found.into_iter().zip(expected.map(DVec3::from)) {
+            let off = (found - expected).abs().max_element();
+            assert!(off <= TWICE_ROUNDED, "{found}, expected {expected}");
+        }
+    }
+
+    #[test]
+    fn the_box_around_a_shape_has_its_extents_along_the_axes_as_sides() {
+        let sphere = Shape::Sphere(Sphere {
+            center: DVec3::new(5.0, 10.0, 1.0),
+            radius: 2.0,
+        });
+        check_box(box_around(&sphere), [[3.0, 8.0, -1.0], [7.0, 12.0, 3.0]]);
+        let ellipsoid = Shape::Ellipsoid(Ellipsoid {
+            center: DVec3::new(5.0, 10.0, 1.0),
+            radii: DVec3::new(1.0, 2.0, 4.0),
+        });
+        check_box(box_around(&ellipsoid), [[4.0, 8.0, -3.0], [6.0, 12.0, 5.0]]);
+        let solid = Shape::Box(AxisBox {
+            min: DVec3::new(1.0, 2.0, 3.0),
+            max: DVec3::new(3.0, 6.0, 7.0),
+        });
+        check_box(box_around(&solid), [[1.0, 2.0, 3.0], [3.0, 6.0, 7.0]]);
+        // the rims are circles across y
+        let cone = Cone::new(
+            DVec3::new(4.0, 1.0, 2.0),
+            1.0,
+            DVec3::new(4.0, 5.0, 2.0),
+            3.0,
+        );
+        check_box(
+            box_around(&Shape::Cone(cone.unwrap())),
+            [[1.0, 1.0, -1.0], [7.0, 5.0, 5.0]],
+        );
+        let corners = [[1.0, 2.0, 3.0], [5.0, 2.0, 3.0], [1.0, 2.0, 7.0]].map(DVec3::from);
+        let triangle = Polygon::new(corners.to_vec(), None).unwrap();
+        check_box(
+            box_around(&Shape::Polygon(triangle)),
+            [[1.0, 2.0, 3.0], [5.0, 2.0, 7.0]],
+        );
+    }
+
+    #[test]
+    fn room_for_rounding_is_a_ten_billionth_of_the_shape_s_coordinates() {
+        // reach: 10 + 2
+        let sphere = Shape::Sphere(Sphere {
+            center: DVec3::new(5.0, 10.0, 1.0),
+            radius: 2.0,
+        });
+        let room = 1.2e-9;
+        check_box(
+            widened_box(&sphere),
+            [
+                [3.0 - room, 8.0 - room, -1.0 - room],
+                [7.0 + room, 12.0 + room, 3.0 + room],
+            ],
+        );
+        let [low, high] = widened_extent(&sphere, DVec3::Y);
+        assert!((low - (8.0 - room)).abs() <= TWICE_ROUNDED, "{low}");
+        assert!((high - (12.0 + room)).abs() <= TWICE_ROUNDED, "{high}");
+    }
+
+    #[test]
+    fn a_polygon_s_room_is_its_play_and_a_ten_billionth_of_its_coordinates() {
+        // in z = 3 exactly: play is 64 times the rounding of the distances of its vertices, 8ε·(5 + 2 + 3)
+        let corners = [[1.0, 1.0, 3.0], [5.0, 1.0, 3.0], [5.0, 2.0, 3.0]].map(DVec3::from);
+        let flat = Shape::Polygon(Polygon::new(corners.to_vec(), None).unwrap());
+        assert_eq!(thickness(&flat), 0.0);
+        let room = 64.0 * 80.0 * f64::EPSILON + 5e-10;
+        check_box(
+            widened_box(&flat),
+            [
+                [1.0 - room, 1.0 - room, 3.0 - room],
+                [5.0 + room, 2.0 + room, 3.0 + room],
+            ],
+        );
+        let [low, high] = widened_extent(&flat, DVec3::Z);
+        assert!((low - (3.0 - room)).abs() <= TWICE_ROUNDED, "{low}");
+        assert!((high - (3.0 + room)).abs() <= TWICE_ROUNDED, "{high}");
+    }
+
+    #[test]
+    fn a_bent_polygon_s_thickness_is_its_play_and_counts_once() {
+        let corners = [
+            [1.0, 1.0, 1.0],
+            [2.0, 1.0, 1.0],
+            [2.0, 2.0, 1.0 + 4e-6],
+            [1.0, 2.0, 1.0],
+        ];
+        let bent = Polygon::new(corners.map(DVec3::from).to_vec(), None).unwrap();
+        let play = bent.play();
+        let bent = Shape::Polygon(bent);
+        assert!((play - 64e-6).abs() <= 1e-11, "{play}");
+        assert_eq!(thickness(&bent), play);
+        let top = 1.0 + 4e-6;
+        check_box(
+            box_around(&bent),
+            [
+                [1.0 - play, 1.0 - play, 1.0 - play],
+                [2.0 + play, 2.0 + play, top + play],
+            ],
+        );
+        // and 10⁻¹⁰ of 2
+        let room = play + 2e-10;
+        check_box(
+            widened_box(&bent),
+            [
+                [1.0 - room, 1.0 - room, 1.0 - room],
+                [2.0 + room, 2.0 + room, top + room],
+            ],
+        );
+        let [low, high] = widened_extent(&bent, DVec3::Z);
+        assert!((low - (1.0 - room)).abs() <= TWICE_ROUNDED, "{low}");
+        assert!((high - (top + room)).abs() <= TWICE_ROUNDED, "{high}");
+    }
 }

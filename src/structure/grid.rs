@@ -286,3 +286,143 @@ fn around(bounds: &[Bounds], room: f64) -> Option<[DVec3; 2]> {
     let wider = HAIR * (max - min).max_element() + 10.0 * room;
     Some([min - wider, max + wider])
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::small_scene::{cube_at, scene_of, solid, sphere};
+
+    fn grid(scene: &Scene, resolution: [u32; 3]) -> Grid {
+        let options = GridOptions {
+            resolution: Some(resolution),
+            ..GridOptions::default()
+        };
+        Grid::new(scene, &options).unwrap()
+    }
+
+    /// The box from (1, 2, 3) to (5, 4, 9).
+    fn off_the_origin() -> Scene {
+        scene_of(&[solid([1.0, 2.0, 3.0], [5.0, 4.0, 9.0])])
+    }
+
+    #[test]
+    fn the_box_of_the_grid_is_that_of_the_objects_and_their_room_and_a_hair() {
+        // the eye is in the origin, and 9 is the largest coordinate: each object has 10⁻¹⁰ and 10⁻¹¹ of it as room, the grid
+        // 10⁻⁹ of its length of 6 and ten times the second
+        let found = grid(&off_the_origin(), [4, 2, 3]);
+        let wider = 0.9e-9 + 0.09e-9 + 6e-9 + 0.9e-9;
+        let min = DVec3::new(1.0, 2.0, 3.0) - wider;
+        let max = DVec3::new(5.0, 4.0, 9.0) + wider;
+        // roundings of coordinates up to 9, and the hair of the room itself
+        let off = (found.min() - min).abs().max((found.max() - max).abs());
+        assert!(off.max_element() <= 1e-14, "{off}");
+    }
+
+    #[test]
+    fn an_eye_far_away_widens_objects_and_grid() {
+        let mut scene = off_the_origin();
+        scene.camera.cop = DVec3::new(0.0, -1000.0, 0.0);
+        // 10⁻¹¹ of 1000 for each object and ten times that for the grid
+        let found = grid(&scene, [4, 2, 3]);
+        let wider = 0.9e-9 + 10e-9 + 6e-9 + 100e-9;
+        let off = (found.min() - (DVec3::new(1.0, 2.0, 3.0) - wider)).abs();
+        assert!(off.max_element() <= 1e-14, "{off}");
+    }
+
+    #[test]
+    fn a_ray_is_inside_from_the_largest_near_to_the_smallest_far() {
+        let grid = grid(&off_the_origin(), [4, 2, 3]);
+        #[track_caller]
+        fn check(grid: &Grid, origin: [f64; 3], direction: [f64; 3], expected: Option<[f64; 2]>) {
+            let found = grid.inside(&Ray::new(origin.into(), direction.into()));
+            let near = |(found, expected): ([f64; 2], [f64; 2])| {
+                // the grid is some 8·10⁻⁹ wider than the objects
+                (0..2).all(|end| (found[end] - expected[end]).abs() <= 1e-8)
+            };
+            let same = found.is_some() == expected.is_some();
+            assert!(same && found.zip(expected).is_none_or(near), "{found:?}");
+        }
+        // x = 1 … 5 at t = 1 … 5, y = 2 … 4 at 2 … 4, z = 3 … 9 at ¼ … 3¼
+        let along = [1.0, 1.0, 2.0];
+        check(&grid, [0.0, 0.0, 2.5], along, Some([2.0, 3.25]));
+        check(
+            &grid,
+            [6.0, 6.0, 9.5],
+            [-1.0, -1.0, -2.0],
+            Some([2.0, 3.25]),
+        );
+        check(&grid, [0.0, 3.5, 2.5], along, None);
+        // parallel to y: from below to above
+        for (y, expected) in [(1.9, None), (3.0, Some([1.0, 5.0])), (4.1, None)] {
+            check(&grid, [0.0, y, 6.0], [1.0, 0.0, 0.0], expected);
+            check(&grid, [0.0, y, 6.0], [1.0, -0.0, 0.0], expected);
+        }
+        check(&grid, [2.0, 3.0, 6.0], [0.0; 3], None);
+    }
+
+    #[test]
+    fn a_ray_in_an_outer_plane_is_inside() {
+        let grid = grid(&off_the_origin(), [4, 2, 3]);
+        let inside = |y: f64| {
+            let ray = Ray::new(DVec3::new(0.0, y, 6.0), DVec3::X);
+            grid.inside(&ray).is_some()
+        };
+        let (low, high) = (grid.min().y, grid.max().y);
+        let places = [low.next_down(), low, high, high.next_up()];
+        assert_eq!(places.map(inside), [false, true, true, false]);
+    }
+
+    #[test]
+    fn the_fullest_cell_lists_the_most_objects_and_is_the_first_of_equals() {
+        // ten cells of 1 along x; with their room cubes from a whole number on reach into the cells beside
+        let at = |x: f64| solid([x + 0.2, 0.2, 0.2], [x + 0.8, 0.8, 0.8]);
+        let ends = || [cube_at(0.0), cube_at(9.0)];
+        let with = |places: &[f64]| {
+            let inner = places.iter().map(|&x| at(x));
+            let shapes: Vec<_> = ends().into_iter().chain(inner).collect();
+            grid(&scene_of(&shapes), [10, 1, 1]).fullest_cell()
+        };
+        assert_eq!(with(&[3.0, 6.0, 6.0]), Some(([6, 0, 0], 2)));
+        assert_eq!(with(&[6.0, 6.0, 3.0, 3.0]), Some(([3, 0, 0], 2)));
+        let empty = Grid::new(&scene_of(&[]), &GridOptions::default()).unwrap();
+        assert_eq!(empty.fullest_cell(), None);
+        assert_eq!((empty.min(), empty.max()), (DVec3::ZERO, DVec3::ZERO));
+        assert_eq!(empty.inside(&Ray::new(DVec3::ZERO, DVec3::X)), None);
+    }
+
+    #[test]
+    fn an_object_lies_in_its_cell_wholly_or_in_part_in_several() {
+        let shapes = [
+            solid([0.0, 0.0, 0.0], [4.0, 2.0, 2.0]),
+            sphere([2.5, 1.5, 0.5], 0.25),
+        ];
+        let scene = scene_of(&shapes);
+        let grid = grid(&scene, [4, 2, 2]);
+        let steps: Vec<_> = grid.assignments(&scene).collect();
+        assert_eq!(steps.len(), 17);
+        assert_eq!(grid.lists_total(), 17);
+        let part = |step: &AssignStep| step.share == Share::Part && step.object == PrimitiveId(0);
+        assert!(steps[..16].iter().all(part));
+        // x first, then y, then z
+        assert_eq!(
+            [0, 3, 4, 8].map(|at| steps[at].cell),
+            [[0, 0, 0], [3, 0, 0], [0, 1, 0], [0, 0, 1]]
+        );
+        let whole = AssignStep {
+            object: PrimitiveId(1),
+            cell: [2, 1, 0],
+            share: Share::Whole,
+        };
+        assert_eq!(steps[16], whole);
+        assert_eq!(
+            grid.cell_objects([2, 1, 0]),
+            [PrimitiveId(0), PrimitiveId(1)]
+        );
+        // beyond the grid there is nothing
+        for cell in [[4, 0, 0], [0, 2, 0], [0, 0, 2]] {
+            assert!(grid.cell_objects(cell).is_empty());
+        }
+        // 5 + 3 + 3 planes of 8 bytes, 17 starts and 17 entries of 4
+        assert_eq!(grid.bytes(), 88 + 68 + 68);
+    }
+}

@@ -102,3 +102,42 @@ impl fmt::Display for GridError {
 }
 
 impl std::error::Error for GridError {}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn each_error_says_what_is_wrong_and_what_to_give_instead() {
+        let text = |error: GridError| error.to_string();
+        assert_eq!(
+            text(GridError::Density { density: -1.0 }),
+            "a grid's density is its number of cells for each object, and -1 is none\n  give a number above 0, such as 3"
+        );
+        assert_eq!(
+            text(GridError::TooManyAlong {
+                axis: 2,
+                cells: 5000
+            }),
+            "a ray along z would step through 5000 cells, one after the other\n  give at most 4096 along each axis"
+        );
+        assert_eq!(
+            text(GridError::TooThin { axis: 0, most: 7 }),
+            "the scene is too thin along x for so many cells\n  give at most 7 along that axis"
+        );
+    }
+
+    #[test]
+    fn a_number_of_cells_is_written_out_as_long_as_it_is_whole() {
+        let begins = |cells: f64, with: &str| {
+            let text = GridError::TooManyCells { cells }.to_string();
+            assert!(
+                text.starts_with(&format!("a grid of {with} cells takes")),
+                "{text}"
+            );
+        };
+        begins(1e9, "1000000000");
+        begins(9e15, "9000000000000000");
+        begins(2e16, "2e16");
+    }
+}

@@ -228,3 +228,83 @@ pub(crate) fn reach(scene: &Scene) -> f64 {
 pub(crate) fn range(first: u32, count: u32) -> std::ops::Range<usize> {
     first as usize..(first + count) as usize
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::small_scene::{cube_at, scene_of, solid};
+
+    /// Four cubes in a row: three children of the root by insertion, of which the last has the two that lie together.
+    fn three_children() -> (Scene, Hierarchy<3>) {
+        let scene = scene_of(&[0.0, 1.0, 8.0, 9.0].map(cube_at));
+        let hierarchy = Hierarchy::new(&scene, &SlabSet::AXES, Build::Insertion);
+        (scene, hierarchy)
+    }
+
+    #[test]
+    fn each_build_gives_the_hierarchy_it_is_named_for() {
+        let scene = scene_of(&[0.0, 1.0, 8.0, 9.0].map(cube_at));
+        let nodes = |build| Hierarchy::new(&scene, &SlabSet::AXES, build).nodes().len();
+        // pairs of pairs of objects; a root over two objects and a pair; a root over two leaves of two
+        assert_eq!(nodes(Build::BottomUp), 7);
+        assert_eq!(nodes(Build::Insertion), 6);
+        assert_eq!(nodes(Build::SurfaceArea), 3);
+    }
+
+    #[test]
+    fn a_parent_s_bound_is_that_of_its_children() {
+        let (_, hierarchy) = three_children();
+        // D = −p: x from 0 to 10 for the root, from 8 to 10 for the pair
+        let bound = |node: usize| {
+            let SlabBound { d_min, d_max } = hierarchy.nodes()[node].bound;
+            [d_min[0], d_max[0], d_min[1], d_max[1]]
+        };
+        let zero = 0.0;
+        assert_eq!(bound(0), [-10.0, zero, -1.0, zero]);
+        assert_eq!(bound(2), [-2.0, -1.0, -1.0, zero]);
+        assert_eq!(bound(3), [-10.0, -8.0, -1.0, zero]);
+    }
+
+    #[test]
+    fn merges_join_the_first_child_with_the_second_and_what_has_grown_with_the_third() {
+        let (_, hierarchy) = three_children();
+        let along_x: Vec<_> = hierarchy.merges().filter(|merge| merge.slab == 0).collect();
+        let of = |merge: &MergeStep| (merge.node, merge.first, merge.second);
+        // from the bottom up: the pair at node 3, then the root's three
+        let steps: Vec<_> = along_x.iter().map(of).collect();
+        assert_eq!(steps, [(3, 4, 5), (0, 1, 2), (0, 0, 3)]);
+        assert_eq!(along_x[0].joined(), (-10.0, -8.0));
+        assert_eq!(
+            (along_x[1].d_min, along_x[1].d_max),
+            ([-1.0, -2.0], [0.0, -1.0])
+        );
+        assert_eq!(along_x[1].joined(), (-2.0, 0.0));
+        assert_eq!(
+            (along_x[2].d_min, along_x[2].d_max),
+            ([-2.0, -10.0], [0.0, -8.0])
+        );
+        assert_eq!(along_x[2].joined(), (-10.0, 0.0));
+        assert_eq!(hierarchy.merges().count(), 9);
+    }
+
+    #[test]
+    fn a_node_takes_64_bytes_and_an_object_4() {
+        let (_, hierarchy) = three_children();
+        assert_eq!(hierarchy.bytes(), 6 * 64 + 4 * 4);
+        let order: Vec<_> = hierarchy.order().iter().map(|id| id.0).collect();
+        assert_eq!(order, [0, 1, 2, 3]);
+    }
+
+    #[test]
+    fn the_room_around_a_ray_is_that_of_the_largest_coordinate() {
+        let scene = scene_of(&[cube_at(3.0), solid([-20.0, 0.0, 0.0], [1.0, 1.0, 1.0])]);
+        assert_eq!(reach(&scene), 20.0);
+        assert_eq!(reach(&scene_of(&[])), 0.0);
+        let hierarchy = Hierarchy::new(&scene, &SlabSet::AXES, Build::BottomUp);
+        // 2·10⁻¹⁰ of 1 + 2 + 3 + 20 and 10⁻¹⁰ of 20
+        let ray = Ray::new(glam::DVec3::new(1.0, -2.0, 3.0), glam::DVec3::X);
+        assert!((hierarchy.room(&ray) - 72e-10).abs() <= 1e-20);
+        assert_eq!(hierarchy.ray_slabs(&ray).room(), hierarchy.room(&ray));
+        assert_eq!(range(3, 4), 3..7);
+    }
+}

@@ -298,3 +298,176 @@ fn cholesky(a: DMat3) -> DMat3 {
         DVec3::new(0.0, 0.0, z),
     )
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The weights are within 10⁻⁹ of the best, so lengths are within some 10⁻⁹ of the least.
+    const NEAR: f64 = 1e-7;
+
+    /// The half axes from the shortest to the longest.
+    fn sorted(radii: DVec3) -> [f64; 3] {
+        let mut radii = radii.to_array();
+        radii.sort_by(f64::total_cmp);
+        radii
+    }
+
+    #[track_caller]
+    fn check(points: &[DVec3], center: [f64; 3], radii: [f64; 3]) -> LeastEllipsoid {
+        let found = least_ellipsoid(points, false).unwrap();
+        let ellipsoid = &found.ellipsoid;
+        let off = (ellipsoid.center - DVec3::from(center)).length();
+        assert!(off <= NEAR * radii[2].max(1.0), "{ellipsoid:?}");
+        for (found, expected) in sorted(ellipsoid.radii).into_iter().zip(radii) {
+            let near = NEAR * expected.max(1.0);
+            assert!((found - expected).abs() <= near, "{ellipsoid:?}");
+        }
+        found
+    }
+
+    /// The corners of a box.
+    fn corners(min: [f64; 3], max: [f64; 3]) -> Vec<DVec3> {
+        let corner = |i: usize| [0, 1, 2].map(|axis| [min, max][i >> axis & 1][axis]);
+        (0..8).map(|i| DVec3::from(corner(i))).collect()
+    }
+
+    #[test]
+    fn the_corners_of_a_box_have_half_its_sides_times_root_3() {
+        let root = 3.0_f64.sqrt();
+        let points = corners([1.0, 2.0, 3.0], [3.0, 6.0, 9.0]);
+        check(&points, [2.0, 4.0, 6.0], [root, 2.0 * root, 3.0 * root]);
+    }
+
+    #[test]
+    fn points_within_that_ellipsoid_change_nothing_and_one_outside_does() {
+        let root = 3.0_f64.sqrt();
+        let mut points = corners([1.0, 2.0, 3.0], [3.0, 6.0, 9.0]);
+        points.insert(0, DVec3::new(2.0, 4.0, 6.0));
+        points.push(DVec3::new(3.0, 4.5, 7.0));
+        check(&points, [2.0, 4.0, 6.0], [root, 2.0 * root, 3.0 * root]);
+        // in units of the half sides (2, 0, 0): with it x²/4 + (y² + z²)·3/8 ≤ 1 is the least, and touches all nine
+        points.push(DVec3::new(4.0, 4.0, 6.0));
+        let across = (8.0_f64 / 3.0).sqrt();
+        check(&points, [2.0, 4.0, 6.0], [2.0, 2.0 * across, 3.0 * across]);
+    }
+
+    #[test]
+    fn of_many_points_the_outermost_settle_the_ellipsoid() {
+        // a lattice of 4 × 4 × 4, of which the corners of the cube settle it
+        let mut points = Vec::new();
+        for i in 0..64 {
+            let place = [1, 4, 16].map(|stride| f64::from(i / stride % 4 + 1));
+            points.push(DVec3::from(place));
+        }
+        let radius = 1.5 * 3.0_f64.sqrt();
+        check(&points, [2.5; 3], [radius; 3]);
+    }
+
+    #[test]
+    fn a_point_that_no_direction_of_the_cube_finds_is_found_outside() {
+        // four circles of 12 points on an axis, made long along (2, 1, 0): all but one of the 26 find points near its tips
+        let (along, across) = (DVec3::new(2.0, 1.0, 0.0), DVec3::new(-1.0, 2.0, 0.0));
+        let mut points = Vec::new();
+        for z in [1.0, 3.0, 5.0, 7.0] {
+            for (x, y) in [(5.0, 0.0), (4.0, 3.0), (3.0, 4.0)] {
+                for (x, y) in [(x, y), (-y, x), (-x, -y), (y, -x)] {
+                    points.push(20.0 * x * along + y * across + z * DVec3::Z);
+                }
+            }
+        }
+        // of a cylinder of radius 5 and height 6: 5·√1.5 across, which is √5 and 20·√5 times as long here, and 6·√¾ along
+        let across = 5.0 * 7.5_f64.sqrt();
+        let radii = [3.0 * 3.0_f64.sqrt(), across, 20.0 * across];
+        check(&points, [0.0, 0.0, 4.0], radii);
+    }
+
+    #[test]
+    fn a_triangle_has_the_ellipse_around_it_whose_center_is_the_mean_of_its_corners() {
+        // J. Steiner's ellipse: of an equilateral triangle with sides of 2 the circle, of radius 2/√3
+        let height = 3.0_f64.sqrt();
+        let triangle = [[1.0, 2.0, 5.0], [3.0, 2.0, 5.0], [2.0, 2.0 + height, 5.0]];
+        let circle = 2.0 / height;
+        let points = triangle.map(DVec3::from);
+        let center = [2.0, 2.0 + height / 3.0, 5.0];
+        let found = check(&points, center, [0.0, circle, circle]);
+        assert_eq!(found.ellipsoid.radii.z, 0.0);
+        assert!(found.ellipsoid.axes[2].z.abs() >= 1.0 - 1e-12);
+        // stretched threefold along x
+        let stretched = points.map(|p| DVec3::new(3.0 * p.x, p.y, p.z));
+        let center = [6.0, 2.0 + height / 3.0, 5.0];
+        let found = check(&stretched, center, [0.0, circle, 3.0 * circle]);
+        assert_eq!(found.off_plane, Some(0.0));
+    }
+
+    #[test]
+    fn points_count_as_flat_up_to_a_hundred_thousandth_of_their_length() {
+        let rectangle = |height: f64| {
+            let corners = [
+                [1.0, 1.0, 5.0],
+                [9.0, 1.0, 5.0 + height],
+                [9.0, 5.0, 5.0],
+                [1.0, 5.0, 5.0 + height],
+            ];
+            least_ellipsoid(&corners.map(DVec3::from), false).unwrap()
+        };
+        // every other corner is lifted: half the diagonal is 4.47, of which 10⁻⁵ is 45 millionths
+        let flat = rectangle(40e-6).off_plane.unwrap();
+        assert!((flat - 40e-6).abs() <= 1e-12, "{flat}");
+        assert_eq!(rectangle(50e-6).off_plane, None);
+        // and what is said to be flat is
+        let bent = [[0.0; 3], [1.0, 0.0, 0.1], [1.0, 1.0, 0.0], [0.0, 1.0, 0.1]];
+        let told = least_ellipsoid(&bent.map(DVec3::from), true).unwrap();
+        assert!(told.off_plane.is_some());
+        assert_eq!(told.ellipsoid.radii.z, 0.0);
+    }
+
+    #[test]
+    fn points_on_a_line_and_too_few_points_have_no_ellipsoid() {
+        let line = [1.0, 2.0, 4.0].map(|t| t * DVec3::new(1.0, 2.0, 2.0));
+        assert_eq!(least_ellipsoid(&line, false), None);
+        assert_eq!(least_ellipsoid(&line[..1], false), None);
+        assert_eq!(least_ellipsoid(&[], false), None);
+    }
+
+    #[test]
+    fn cholesky_finds_the_lower_triangle_whose_square_a_matrix_is() {
+        // L = (2 0 0 | 1 2 0 | 3 1 2): L·Lᵀ has 2·2, 2·1, 2·3; 1 + 4, 3 + 2; 9 + 1 + 4
+        let square = DMat3::from_cols(
+            DVec3::new(4.0, 2.0, 6.0),
+            DVec3::new(2.0, 5.0, 5.0),
+            DVec3::new(6.0, 5.0, 14.0),
+        );
+        let lower = DMat3::from_cols(
+            DVec3::new(2.0, 1.0, 3.0),
+            DVec3::new(0.0, 2.0, 1.0),
+            DVec3::new(0.0, 0.0, 2.0),
+        );
+        assert_eq!(cholesky(square), lower);
+    }
+
+    #[test]
+    fn the_outermost_of_a_lattice_are_the_corners_of_its_cube() {
+        let mut lattice = Vec::new();
+        for i in 0..27 {
+            let place = [1, 3, 9].map(|stride| f64::from(i / stride % 3 - 1));
+            lattice.push(DVec3::from(place));
+        }
+        let mut found = outermost(&lattice);
+        let order = |p: &DVec3| (p.x + 2.0 * p.y + 4.0 * p.z) as i32;
+        found.sort_by_key(order);
+        let mut expected = corners([-1.0; 3], [1.0; 3]);
+        expected.sort_by_key(order);
+        assert_eq!(found, expected);
+    }
+
+    #[test]
+    fn of_equal_quantities_the_first_is_the_largest_and_of_zeros_none() {
+        let points = [DVec3::X, DVec3::Y, DVec3::Z];
+        let by_length = |p: DVec3| p.length();
+        assert_eq!(largest(&points, DVec3::ONE, by_length), (DVec3::X, 1.0));
+        assert_eq!(largest(&points, DVec3::ONE, |_| 0.0), (DVec3::ONE, 0.0));
+        let by_z = |p: DVec3| 2.0 * p.z;
+        assert_eq!(largest(&points, DVec3::ONE, by_z), (DVec3::Z, 2.0));
+    }
+}

@@ -178,3 +178,189 @@ fn with_room(least: LeastEllipsoid, distance: f64) -> OrientedEllipsoid {
     ellipsoid.radii = radii.with_z(thickness) * within.hypot(off / thickness);
     ellipsoid
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::Scene;
+    use crate::scene::small_scene::{polygon, scene_of, solid, sphere};
+
+    /// A few roundings of numbers up to 10.
+    const ROUNDED: f64 = 1e-14;
+
+    #[track_caller]
+    fn check_sphere(scene: &Scene, center: [f64; 3], radius: f64) {
+        let found = sphere_around(&scene.primitives).unwrap();
+        let off = (found.center - DVec3::from(center)).length();
+        assert!(
+            off <= ROUNDED && (found.radius - radius).abs() <= ROUNDED,
+            "{found:?}"
+        );
+    }
+
+    /// The half axes as they come: along the cone's axis first, along x, y, z of what stands upright.
+    #[track_caller]
+    fn check_ellipsoid(found: &OrientedEllipsoid, center: [f64; 3], radii: [f64; 3]) {
+        let off = (found.center - DVec3::from(center)).length();
+        let off_radii = (found.radii - DVec3::from(radii)).abs().max_element();
+        assert!(off <= ROUNDED && off_radii <= ROUNDED, "{found:?}");
+    }
+
+    fn ellipsoid_of(scene: &Scene) -> OrientedEllipsoid {
+        ellipsoid_around(&scene.primitives).unwrap()
+    }
+
+    fn cone(base: [f64; 3], base_radius: f64, apex: [f64; 3], apex_radius: f64) -> Scene {
+        scene_of(&[format!(
+            r#"{{"cone":{{"base":{base:?},"base_radius":{base_radius:?},
+            "apex":{apex:?},"apex_radius":{apex_radius:?}}}}}"#
+        )])
+    }
+
+    #[test]
+    fn a_box_from_1_2_3_to_3_6_7_has_a_sphere_of_radius_3_and_root_3_times_half_its_sides() {
+        let scene = scene_of(&[solid([1.0, 2.0, 3.0], [3.0, 6.0, 7.0])]);
+        // sides 2, 4, 4: the diagonal is 6
+        check_sphere(&scene, [2.0, 4.0, 5.0], 3.0);
+        let root = 3.0_f64.sqrt();
+        let radii = [root, 2.0 * root, 2.0 * root];
+        check_ellipsoid(&ellipsoid_of(&scene), [2.0, 4.0, 5.0], radii);
+    }
+
+    #[test]
+    fn a_sphere_is_its_own_volume_and_an_ellipsoid_its_own_ellipsoid() {
+        let scene = scene_of(&[sphere([1.0, 2.0, 3.0], 4.0)]);
+        check_sphere(&scene, [1.0, 2.0, 3.0], 4.0);
+        check_ellipsoid(&ellipsoid_of(&scene), [1.0, 2.0, 3.0], [4.0; 3]);
+        let scene = scene_of(&[r#"{"ellipsoid":{"center":[1,2,3],"radii":[2,5,4]}}"#.to_string()]);
+        check_sphere(&scene, [1.0, 2.0, 3.0], 5.0);
+        check_ellipsoid(&ellipsoid_of(&scene), [1.0, 2.0, 3.0], [2.0, 5.0, 4.0]);
+    }
+
+    #[test]
+    fn the_sphere_around_a_cone_touches_both_rims_or_has_the_wider_one_as_its_equator() {
+        // a cylinder: its half height 2 and its radius 1.5 give 2.5
+        let cylinder = cone([1.0, 2.0, 3.0], 1.5, [1.0, 2.0, 7.0], 1.5);
+        check_sphere(&cylinder, [1.0, 2.0, 5.0], 2.5);
+        // (81 − 9)/18 = 4 above the base: 4² + 3² = 5², and 9 − 4 = 5 to the tip
+        let steep = cone([1.0, 2.0, 3.0], 3.0, [1.0, 2.0, 12.0], 0.0);
+        check_sphere(&steep, [1.0, 2.0, 7.0], 5.0);
+        let turned = cone([1.0, 2.0, 3.0], 0.0, [1.0, 2.0, 12.0], 3.0);
+        check_sphere(&turned, [1.0, 2.0, 8.0], 5.0);
+        // (36 + 4 − 16)/12 = 2 above the base: 2² + 4² = 4² + 2²
+        let cut_off = cone([1.0, 1.0, 1.0], 4.0, [7.0, 1.0, 1.0], 2.0);
+        check_sphere(&cut_off, [3.0, 1.0, 1.0], 20.0_f64.sqrt());
+        // (4 − 16)/4 lies below the base
+        let flat = cone([1.0, 2.0, 3.0], 4.0, [1.0, 2.0, 5.0], 0.0);
+        check_sphere(&flat, [1.0, 2.0, 3.0], 4.0);
+        let flat = cone([1.0, 2.0, 3.0], 0.0, [1.0, 2.0, 5.0], 4.0);
+        check_sphere(&flat, [1.0, 2.0, 5.0], 4.0);
+    }
+
+    #[test]
+    fn the_least_ellipsoid_around_a_cone_has_the_published_share_of_its_height() {
+        let root = f64::sqrt;
+        // a cylinder: λ = ½, 4·√¾ along and 2·√1.5 across
+        let cylinder = ellipsoid_of(&cone([1.0, 2.0, 3.0], 2.0, [1.0, 2.0, 7.0], 2.0));
+        let radii = [2.0 * root(3.0), root(6.0), root(6.0)];
+        check_ellipsoid(&cylinder, [1.0, 2.0, 5.0], radii);
+        assert_eq!(cylinder.axes[0], DVec3::Z);
+        // a tip: λ = ¼, 8·√(9/16) along and 2·√(9/8) across
+        let radii = [6.0, root(4.5), root(4.5)];
+        let tip = ellipsoid_of(&cone([1.0, 2.0, 3.0], 2.0, [9.0, 2.0, 3.0], 0.0));
+        check_ellipsoid(&tip, [3.0, 2.0, 3.0], radii);
+        let turned = ellipsoid_of(&cone([1.0, 2.0, 3.0], 0.0, [9.0, 2.0, 3.0], 2.0));
+        check_ellipsoid(&turned, [7.0, 2.0, 3.0], radii);
+        // K = 1 − 5/9 = 4/9: 16/9·λ² − 10/3·λ + 1 = 0, λ = 3/8; 8·√(45/64) along, 3·√(5/4) across
+        let radii = [3.0 * root(5.0), 1.5 * root(5.0), 1.5 * root(5.0)];
+        let cut_off = ellipsoid_of(&cone([1.0, 2.0, 3.0], 3.0, [9.0, 2.0, 3.0], root(5.0)));
+        check_ellipsoid(&cut_off, [4.0, 2.0, 3.0], radii);
+    }
+
+    #[test]
+    fn a_rectangle_has_the_ellipse_of_least_area_and_a_thousandth_of_its_length_as_thickness() {
+        let corners = [
+            [1.0, 1.0, 5.0],
+            [9.0, 1.0, 5.0],
+            [9.0, 5.0, 5.0],
+            [1.0, 5.0, 5.0],
+        ];
+        let scene = scene_of(&[polygon(&corners)]);
+        check_sphere(&scene, [5.0, 3.0, 5.0], 20.0_f64.sqrt());
+        // half sides 4 and 2, each times √2
+        let long = 4.0 * 2.0_f64.sqrt();
+        let found = ellipsoid_of(&scene);
+        let off = (found.radii - DVec3::new(long, 0.5 * long, 0.001 * long)).abs();
+        // the weights are within 10⁻⁹ of the best
+        assert!(off.max_element() <= 1e-7, "{found:?}");
+        assert!((found.center - DVec3::new(5.0, 3.0, 5.0)).length() <= 1e-8);
+        assert!(found.axes[0].x.abs() >= 1.0 - 1e-8, "{found:?}");
+    }
+
+    #[test]
+    fn the_volumes_around_a_bent_polygon_are_thicker_by_its_play() {
+        let corners = [[0.0; 3], [1.0, 0.0, 0.0], [1.0, 1.0, 4e-6], [0.0, 1.0, 0.0]];
+        let scene = scene_of(&[polygon(&corners)]);
+        let found = sphere_around(&scene.primitives).unwrap();
+        // a vertex off by 10⁻⁶ under 1 in 64; the diagonal is longer than √2 by (4·10⁻⁶)²
+        let off = found.radius - (0.5_f64.sqrt() + 64e-6);
+        assert!(off.abs() <= 1e-10, "{found:?}");
+        assert_eq!(thickest(&[]), 0.0);
+    }
+
+    #[test]
+    fn a_mesh_without_faces_has_no_volume() {
+        assert_eq!(sphere_around(&[]), None);
+        assert_eq!(ellipsoid_around(&[]), None);
+        assert_eq!(slabs_around(&[], &SlabSet::AXES), SlabBound::EMPTY);
+    }
+
+    #[test]
+    fn the_slabs_around_several_faces_go_from_the_smallest_to_the_largest_extent() {
+        let scene = scene_of(&[
+            solid([1.0, 2.0, 3.0], [3.0, 6.0, 7.0]),
+            solid([2.0, -1.0, 4.0], [5.0, 0.0, 5.0]),
+        ]);
+        // D_min = −largest, D_max = −smallest
+        let bound = SlabBound {
+            d_min: [-5.0, -6.0, -7.0],
+            d_max: [-1.0, 1.0, -3.0],
+        };
+        assert_eq!(slabs_around(&scene.primitives, &SlabSet::AXES), bound);
+    }
+
+    fn least(radii: [f64; 3], off_plane: Option<f64>) -> LeastEllipsoid {
+        LeastEllipsoid {
+            ellipsoid: OrientedEllipsoid {
+                center: DVec3::ONE,
+                axes: DVec3::AXES,
+                radii: radii.into(),
+            },
+            off_plane,
+        }
+    }
+
+    #[test]
+    fn an_ellipsoid_with_room_grows_by_the_room_s_share_of_its_smallest_half_axis() {
+        let round = least([2.0, 4.0, 8.0], None);
+        check_ellipsoid(&with_room(round, 0.0), [1.0; 3], [2.0, 4.0, 8.0]);
+        // 0.1 of 2 is a twentieth
+        check_ellipsoid(&with_room(round, 0.1), [1.0; 3], [2.1, 4.2, 8.4]);
+        // no half axis is below 16 times the room, which is a sixteenth of that
+        check_ellipsoid(&with_room(round, 0.25), [1.0; 3], [4.25, 4.25, 8.5]);
+    }
+
+    #[test]
+    fn a_flat_ellipsoid_with_room_is_thick_enough_for_what_lies_off_its_plane() {
+        let flat = |off| least([3.0, 2.0, 0.0], Some(off));
+        check_ellipsoid(&with_room(flat(0.0), 0.0), [1.0; 3], [3.0, 2.0, 0.003]);
+        // 0.03 off the plane: 16·0.03 thick, and 1/16 of that off
+        let grown = 1.0_f64.hypot(1.0 / 16.0);
+        let radii = [3.0, 2.0, 0.48].map(|radius| radius * grown);
+        check_ellipsoid(&with_room(flat(0.03), 0.0), [1.0; 3], radii);
+        // and hits 0.1 off in any direction: 0.13 off the plane, 0.1 of 2 within it
+        let grown = 1.05_f64.hypot(1.0 / 16.0);
+        let radii = [3.0, 2.0, 2.08].map(|radius| radius * grown);
+        check_ellipsoid(&with_room(flat(0.03), 0.1), [1.0; 3], radii);
+    }
+}

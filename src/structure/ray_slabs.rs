@@ -39,3 +39,20 @@ const ROOM: f64 = 2e-10;
 pub fn room(ray: &Ray, reach: f64) -> f64 {
     ROOM * (ray.origin.abs().element_sum() + reach) + ROUNDING * reach
 }
+
+#[cfg(test)]
+mod tests {
+    use glam::DVec3;
+
+    use super::*;
+
+    #[test]
+    fn room_is_two_ten_billionths_of_all_coordinates_and_half_as_much_of_the_objects() {
+        // 2·10⁻¹⁰·(1 + 2 + 3 + 4) + 10⁻¹⁰·4
+        let ray = Ray::new(DVec3::new(1.0, -2.0, 3.0), DVec3::X);
+        assert!((room(&ray, 4.0) - 24e-10).abs() <= 1e-23);
+        assert_eq!(room(&Ray::new(DVec3::ZERO, DVec3::X), 0.0), 0.0);
+        let slabs = RaySlabs::new(&ray, &SlabSet::AXES, 0.25);
+        assert_eq!(slabs.room(), 0.25);
+    }
+}

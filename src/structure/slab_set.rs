@@ -127,3 +127,52 @@ impl<const N: usize> SlabSet<N> {
         &self.directions
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn products_are_those_of_each_direction_and_0_for_those_that_are_not_there() {
+        let v = DVec3::new(2.0, 3.0, 5.0);
+        assert_eq!(SlabSet::AXES.products(v), [2.0, 3.0, 5.0]);
+        let seven = SlabSet::SEVEN
+            .products(v)
+            .map(|product| product * 3.0_f64.sqrt());
+        let root = 3.0_f64.sqrt();
+        let expected = [2.0 * root, 3.0 * root, 5.0 * root, 10.0, 6.0, 0.0, 4.0];
+        for (found, expected) in seven.into_iter().zip(expected) {
+            assert!(
+                (found - expected).abs() <= 1e-14,
+                "{found}, expected {expected}"
+            );
+        }
+        let own = [
+            DVec3::new(3.0, 4.0, 0.0),
+            DVec3::new(4.0, -3.0, 0.0),
+            DVec3::Z,
+        ];
+        let own = SlabSet::of(&own).unwrap();
+        let products = own.products(v);
+        // (6 + 12)/5, (8 − 9)/5
+        for (found, expected) in products.into_iter().zip([3.6, -0.2, 5.0]) {
+            assert!(
+                (found - expected).abs() <= 1e-15,
+                "{found}, expected {expected}"
+            );
+        }
+        assert_eq!(products[3..], [0.0; MOST_SLABS - 3]);
+    }
+
+    #[test]
+    fn the_fixed_sets_begin_with_the_axes_and_have_all_their_directions() {
+        assert_eq!(SlabSet::AXES.directions(), DVec3::AXES);
+        assert_eq!(SlabSet::SEVEN.directions().len(), 7);
+        assert_eq!(SlabSet::SEVEN.directions()[..3], DVec3::AXES);
+        assert!(SlabSet::SEVEN.begins_with_axes() && SlabSet::AXES.begins_with_axes());
+        let own = SlabSet::of(&DVec3::AXES).unwrap();
+        assert!(!own.begins_with_axes());
+        assert_eq!(own.directions().len(), 3);
+        assert_eq!(own.padded()[3..], [DVec3::ZERO; MOST_SLABS - 3]);
+    }
+}

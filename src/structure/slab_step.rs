@@ -132,3 +132,42 @@ impl SlabStep {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const INSIDE: Inside = Inside {
+        near: 2.0,
+        far: 5.0,
+    };
+
+    #[test]
+    fn a_stretch_meets_a_range_that_begins_where_it_ends_or_ends_where_it_begins() {
+        let meets = |min, max| INSIDE.meets(TRange { min, max });
+        assert!(meets(0.0, 2.0) && meets(5.0, 9.0) && meets(3.0, 4.0) && meets(0.0, 9.0));
+        assert!(!meets(0.0, 1.9) && !meets(5.1, 9.0));
+    }
+
+    #[test]
+    fn it_begins_where_the_ray_enters_or_where_its_range_begins() {
+        let begins = |min| INSIDE.begins(TRange { min, max: 9.0 });
+        assert_eq!((begins(0.0), begins(3.0)), (2.0, 3.0));
+    }
+
+    #[test]
+    fn it_is_empty_once_its_ends_have_crossed() {
+        let point = Inside {
+            near: 2.0,
+            far: 2.0,
+        };
+        assert!(!point.is_empty());
+        assert_eq!(point.ends(), Some([2.0, 2.0]));
+        let crossed = Inside {
+            near: 2.0,
+            far: 1.9,
+        };
+        assert!(crossed.is_empty());
+        assert_eq!(crossed.ends(), None);
+    }
+}

@@ -181,3 +181,130 @@ fn between_roots(test: &QuadraticTest, room: f64) -> Option<Inside> {
 
 /// A root is good to 10⁻¹⁰ of itself; twice that is a bound's room for it.
 const ROOT: f64 = 2e-10;
+
+#[cfg(test)]
+mod tests {
+    use std::f64::consts::PI;
+
+    use super::*;
+    use crate::scene::small_scene::{scene_from, scene_of, solid, sphere};
+
+    const UNIT: Sphere = Sphere {
+        center: DVec3::ZERO,
+        radius: 1.0,
+    };
+
+    fn along_x(x: f64, y: f64) -> Ray {
+        Ray::new(DVec3::new(x, y, 0.0), DVec3::X)
+    }
+
+    #[test]
+    fn a_ray_is_inside_a_sphere_between_its_roots() {
+        let inside = |ray: Ray, room| inside_sphere(&UNIT, &ray, room).map(|of| [of.near, of.far]);
+        assert_eq!(inside(along_x(-5.0, 0.0), 0.0), Some([4.0, 6.0]));
+        assert_eq!(inside(along_x(0.5, 0.0), 0.0), Some([-1.5, 0.5]));
+        // a graze has one root
+        assert_eq!(inside(along_x(-5.0, 1.0), 0.0), Some([5.0, 5.0]));
+        assert_eq!(inside(along_x(-5.0, 1.5), 0.0), None);
+    }
+
+    #[test]
+    fn room_makes_a_volume_larger_and_each_root_by_a_share_of_itself_less_or_more() {
+        let inside = |x: f64| {
+            let found = inside_sphere(&UNIT, &along_x(x, 0.0), 0.5).unwrap();
+            [found.near, found.far]
+        };
+        #[track_caller]
+        fn check(found: [f64; 2], expected: [f64; 2]) {
+            let off = [0, 1].map(|end| (found[end] - expected[end]).abs());
+            assert!(off[0] <= 1e-14 && off[1] <= 1e-14, "{found:?}");
+        }
+        // radius 1.5: 3.5 and 6.5, each with 2·10⁻¹⁰ of itself
+        check(inside(-5.0), [3.5 - 7e-10, 6.5 + 13e-10]);
+        check(inside(5.0), [-6.5 - 13e-10, -3.5 + 7e-10]);
+        let ellipsoid = OrientedEllipsoid {
+            center: DVec3::ZERO,
+            axes: DVec3::AXES,
+            radii: DVec3::new(1.0, 2.0, 4.0),
+        };
+        // the sixteenth part of the smallest half axis: all grow by as much of themselves
+        let room = 0.0625;
+        let found = inside_ellipsoid(&ellipsoid, &along_x(-5.0, 0.0), room).unwrap();
+        check(
+            [found.near, found.far],
+            [3.9375 - 7.875e-10, 6.0625 + 12.125e-10],
+        );
+        let up = Ray::new(DVec3::new(0.0, -5.0, 0.0), DVec3::Y);
+        let found = inside_ellipsoid(&ellipsoid, &up, room).unwrap();
+        check(
+            [found.near, found.far],
+            [2.875 - 5.75e-10, 7.125 + 14.25e-10],
+        );
+    }
+
+    #[test]
+    fn volumes_around_a_box_with_sides_2_4_and_4_have_the_space_of_closed_forms() {
+        let scene = scene_of(&[solid([1.0, 2.0, 3.0], [3.0, 6.0, 7.0])]);
+        let volume = |kind| Volume::around(&scene, 0, kind, &SlabSet::SEVEN).volume();
+        let close = |found: Option<f64>, expected: f64| {
+            let found = found.unwrap();
+            assert!(
+                (found - expected).abs() <= 1e-12 * expected,
+                "{found}, expected {expected}"
+            );
+        };
+        close(volume(VolumeKind::Box), 32.0);
+        // radius 3; half sides 1, 2, 2 times √3
+        close(volume(VolumeKind::Sphere), 36.0 * PI);
+        close(
+            volume(VolumeKind::Ellipsoid),
+            4.0 / 3.0 * PI * 4.0 * 27.0_f64.sqrt(),
+        );
+        assert_eq!(volume(VolumeKind::Slabs), None);
+        assert_eq!(Volume::<3>::Nothing.volume(), Some(0.0));
+    }
+
+    #[test]
+    fn a_ray_meets_the_volume_that_was_put_around_the_object() {
+        let scene = scene_of(&[
+            sphere([50.0, 0.0, 0.0], 1.0),
+            solid([1.0, -2.0, -2.0], [3.0, 2.0, 2.0]),
+        ]);
+        let set = SlabSet::SEVEN;
+        let ray = along_x(0.0, 0.0);
+        let line = VolumeRay::new(&ray, &set, 0.0);
+        let inside = |kind| {
+            let found = Volume::around(&scene, 1, kind, &set)
+                .inside(&line, &set)
+                .unwrap();
+            [found.near, found.far]
+        };
+        assert_eq!(inside(VolumeKind::Box), [1.0, 3.0]);
+        assert_eq!(inside(VolumeKind::Slabs), [1.0, 3.0]);
+        // half the diagonal of 6 around (2, 0, 0)
+        assert_eq!(inside(VolumeKind::Sphere), [-1.0, 5.0]);
+        let [near, far] = inside(VolumeKind::Ellipsoid);
+        let root = 3.0_f64.sqrt();
+        assert!((near - (2.0 - root)).abs() <= 1e-14 && (far - (2.0 + root)).abs() <= 1e-14);
+        assert!(Volume::Nothing.inside(&line, &set).is_none());
+        assert_eq!((line.room(), line.across_set().room()), (0.0, 0.0));
+    }
+
+    #[test]
+    fn a_mesh_without_faces_has_nothing_around_it() {
+        let scene = scene_from(
+            r#"{"camera":{"look_at":{"cop":[0,0,5],"target":[0,0,0],"up":[0,1,0],"fov_degrees":40},
+            "pixels":[2,2]},"materials":{"m":{"colour":[1,1,1]}},
+            "objects":[{"name":"empty","material":"m","shape":{"mesh":{"faces":[]}}}]}"#,
+        );
+        for kind in [
+            VolumeKind::Sphere,
+            VolumeKind::Box,
+            VolumeKind::Ellipsoid,
+            VolumeKind::Slabs,
+        ] {
+            let volume = Volume::around(&scene, 0, kind, &SlabSet::SEVEN);
+            assert_eq!(volume, Volume::Nothing);
+        }
+    }
+}

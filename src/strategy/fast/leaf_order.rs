@@ -209,4 +209,96 @@ mod tests {
         // four numbers of 8 bytes, the id, the sides, and which kind it is
         assert_eq!(size_of::<Listed>(), 40);
     }
+
+    use glam::DVec3;
+
+    use crate::scene::small_scene::{cube_at, polygon, scene_of, sphere};
+    use crate::strategy::NearestSoFar;
+
+    /// A triangle across x, before the point (x, 0, 0).
+    fn across(x: f64) -> String {
+        polygon(&[[x, -1.0, -1.0], [x, 2.0, -1.0], [x, -1.0, 2.0]])
+    }
+
+    fn ids(scene: &Scene) -> Vec<PrimitiveId> {
+        (0..scene.primitives.len() as u32)
+            .map(PrimitiveId)
+            .collect()
+    }
+
+    #[test]
+    fn spheres_are_copied_and_triangles_where_most_objects_are_polygons() {
+        let of = |shapes: &[String]| {
+            let scene = scene_of(shapes);
+            let order = ids(&scene);
+            let leaves = LeafOrder::of_leaves(&scene, &order).bytes();
+            [leaves, LeafOrder::of_cells(&scene, &order).bytes()]
+        };
+        let ball = || sphere([5.0, 0.0, 0.0], 1.0);
+        // of 40 bytes each with a sphere among them, of 64 with more triangles than others
+        assert_eq!(of(&[ball(), cube_at(3.0)]), [80, 80]);
+        assert_eq!(of(&[ball(), across(3.0)]), [80, 80]);
+        assert_eq!(of(&[ball(), across(3.0), across(4.0)]), [192, 120]);
+        assert_eq!(of(&[across(3.0), across(4.0)]), [128, 0]);
+        assert_eq!(of(&[cube_at(3.0)]), [0, 0]);
+    }
+
+    #[test]
+    fn the_hits_of_a_leaf_are_those_of_its_objects_in_whatever_way_they_are_kept() {
+        // along x: the triangles at 4 and 3, the sphere from 6 to 8, the cube from 9 on
+        let all = [
+            across(4.0),
+            across(3.0),
+            sphere([7.0, 0.0, 0.0], 1.0),
+            cube_at(9.0),
+        ];
+        let many = [&all[..], &[across(12.0)]].concat();
+        for shapes in [&all[..], &all[..2], &all[2..], &all[3..], &many] {
+            let scene = scene_of(shapes);
+            let order = ids(&scene);
+            let ray = Ray::new(DVec3::new(0.0, 0.25, 0.25), DVec3::X);
+            let kept = [
+                LeafOrder::of_leaves(&scene, &order),
+                LeafOrder::of_cells(&scene, &order),
+            ];
+            for kept in kept {
+                for places in [0..shapes.len(), 0..1, 1..shapes.len()] {
+                    let mut found = NearestSoFar::new(TRange::FORWARD);
+                    let _ = kept.test(&scene, &order, places.clone(), &ray, &mut found);
+                    let mut plain = NearestSoFar::new(TRange::FORWARD);
+                    for place in places {
+                        let (id, primitive) = (order[place], &scene.primitives[place]);
+                        let _ = plain.test(id, primitive, &ray, &mut Off);
+                    }
+                    assert_eq!(found.hit(), plain.hit());
+                }
+            }
+        }
+        let scene = scene_of(&many);
+        let order = ids(&scene);
+        let mut found = NearestSoFar::new(TRange::FORWARD);
+        let ray = Ray::new(DVec3::new(0.0, 0.25, 0.25), DVec3::X);
+        let kept = LeafOrder::of_leaves(&scene, &order);
+        let _ = kept.test(&scene, &order, 0..5, &ray, &mut found);
+        let hit = found.hit().unwrap();
+        assert_eq!((hit.object, hit.t), (PrimitiveId(1), 3.0));
+    }
+
+    #[test]
+    fn a_visit_leaves_out_spheres_that_are_clearly_missed() {
+        let scene = scene_of(&[
+            sphere([5.0, 9.0, 0.0], 1.0),
+            sphere([5.0, 0.0, 0.0], 1.0),
+            cube_at(90.0),
+        ]);
+        let order = ids(&scene);
+        let kept = LeafOrder::of_cells(&scene, &order);
+        let mut visited = Vec::new();
+        let ray = Ray::new(DVec3::ZERO, DVec3::X);
+        let _ = kept.visit(&order, 0..3, &ray, |object| {
+            visited.push(object.id().0);
+            ControlFlow::Continue(())
+        });
+        assert_eq!(visited, [1, 2]);
+    }
 }

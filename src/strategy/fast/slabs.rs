@@ -54,3 +54,80 @@ impl<const N: usize> BothPlanes<N> {
         Inside { near, far }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use glam::DVec3;
+
+    use super::*;
+
+    /// The box from (1, 2, 3) to (5, 4, 9): D = −p.
+    const BOX_OFF_THE_ORIGIN: SlabBound<3> = SlabBound {
+        d_min: [-5.0, -4.0, -9.0],
+        d_max: [-1.0, -2.0, -3.0],
+    };
+
+    fn inside(origin: [f64; 3], direction: [f64; 3], room: f64) -> [f64; 2] {
+        let ray = Ray::new(origin.into(), direction.into());
+        let Inside { near, far } =
+            BothPlanes::new(&ray, &SlabSet::AXES, room).inside(&BOX_OFF_THE_ORIGIN);
+        [near, far]
+    }
+
+    #[test]
+    fn a_ray_is_inside_from_the_largest_near_to_the_smallest_far() {
+        // x = 1 … 5 at t = 1 … 5, y = 2 … 4 at 2 … 4, z = 3 … 9 at ¼ … 3¼
+        assert_eq!(inside([0.0, 0.0, 2.5], [1.0, 1.0, 2.0], 0.0), [2.0, 3.25]);
+        // the same backwards, and with the numbers turned round
+        assert_eq!(
+            inside([0.0, 0.0, 2.5], [-1.0, -1.0, -2.0], 0.0),
+            [-3.25, -2.0]
+        );
+        assert_eq!(
+            inside([6.0, 6.0, 9.5], [-1.0, -1.0, -2.0], 0.0),
+            [2.0, 3.25]
+        );
+    }
+
+    #[test]
+    fn room_moves_both_planes_of_a_slab_outwards() {
+        // y = 1½ … 4½ at 1½ … 4½, z = 2½ … 9½ at 0 … 3½
+        assert_eq!(inside([0.0, 0.0, 2.5], [1.0, 1.0, 2.0], 0.5), [1.5, 3.5]);
+        assert_eq!(inside([6.0, 6.0, 9.5], [-1.0, -1.0, -2.0], 0.5), [1.5, 3.5]);
+    }
+
+    #[test]
+    fn near_and_far_of_a_missed_box_have_crossed() {
+        // y = 4 at t = ½, before x = 1 at t = 1
+        let [near, far] = inside([0.0, 3.5, 2.5], [1.0, 1.0, 2.0], 0.0);
+        assert_eq!([near, far], [1.0, 0.5]);
+    }
+
+    #[test]
+    fn a_parallel_ray_is_inside_between_the_planes_alone() {
+        for zero in [0.0, -0.0] {
+            assert_eq!(inside([0.0, 3.0, 6.0], [1.0, zero, 0.0], 0.0), [1.0, 5.0]);
+            for y in [1.9, 4.1] {
+                let [near, far] = inside([0.0, y, 6.0], [1.0, zero, 0.0], 0.0);
+                assert!(far < near, "{y}: {near} {far}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_slab_behind_the_first_three_cuts_off_a_corner() {
+        // of the cube from −1 to 1 what lies within ½ of the plane x + y + z = 0
+        let half = 0.5;
+        let mut bound = SlabBound {
+            d_min: [-1.0; 7],
+            d_max: [1.0; 7],
+        };
+        (bound.d_min[3], bound.d_max[3]) = (-half, half);
+        let ray = Ray::new(DVec3::new(-3.0, 0.0, 0.0), DVec3::X);
+        let found = BothPlanes::new(&ray, &SlabSet::SEVEN, 0.0).inside(&bound);
+        // x/√3 from −½ to ½: t = 3 ∓ √3/2
+        let half = 0.75_f64.sqrt();
+        assert!((found.near - (3.0 - half)).abs() <= 1e-15, "{found:?}");
+        assert!((found.far - (3.0 + half)).abs() <= 1e-15, "{found:?}");
+    }
+}

@@ -100,3 +100,65 @@ impl Stack {
         Some(self.few[self.len])
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use glam::DVec3;
+
+    use super::*;
+    use crate::geometry::Ray;
+    use crate::structure::SlabSet;
+
+    #[test]
+    fn the_last_node_comes_first_however_many_wait() {
+        let waiting = |node| Waiting {
+            near: f64::from(node),
+            node,
+        };
+        let mut stack = Stack::new();
+        // up to 30, back to 5, up to 20: across the limit of the few both ways
+        for node in 0..30 {
+            stack.push(waiting(node));
+        }
+        for node in (5..30).rev() {
+            assert_eq!(stack.pop().map(|top| top.node), Some(node));
+        }
+        for node in 5..20 {
+            stack.push(waiting(node));
+        }
+        for node in (0..20).rev() {
+            assert_eq!(stack.pop().map(|top| top.node), Some(node));
+        }
+        assert!(stack.pop().is_none());
+    }
+
+    #[test]
+    fn the_nearer_node_comes_first_and_of_equals_the_one_with_the_lower_number() {
+        let waiting = |near, node| Waiting { near, node };
+        assert_eq!(waiting(1.0, 9).cmp(&waiting(2.0, 3)), Ordering::Less);
+        assert_eq!(waiting(2.0, 3).cmp(&waiting(2.0, 9)), Ordering::Less);
+        assert!(waiting(2.0, 3) == waiting(2.0, 3));
+        assert!(waiting(2.0, 3) != waiting(2.0, 4));
+        assert!(waiting(3.0, 3) > waiting(2.0, 4));
+    }
+
+    #[test]
+    fn a_node_waits_from_where_the_ray_enters_its_bound_if_that_is_in_the_range() {
+        // x from 2 to 5, y and z from −1 to 1
+        let bound = SlabBound {
+            d_min: [-5.0, -1.0, -1.0],
+            d_max: [-2.0, 1.0, 1.0],
+        };
+        let ray = Ray::new(DVec3::ZERO, DVec3::X);
+        let planes = BothPlanes::new(&ray, &SlabSet::AXES, 0.0);
+        let met = |min, max| Waiting::met(7, &bound, &planes, TRange { min, max });
+        let near = |min, max| met(min, max).map(|waiting| waiting.near);
+        assert_eq!(met(0.0, 9.0).map(|waiting| waiting.node), Some(7));
+        assert_eq!(near(0.0, 9.0), Some(2.0));
+        assert_eq!(near(3.0, 9.0), Some(3.0));
+        // equality counts at both ends
+        assert_eq!(near(0.0, 2.0), Some(2.0));
+        assert_eq!(near(5.0, 9.0), Some(5.0));
+        assert_eq!((near(0.0, 1.9), near(5.1, 9.0)), (None, None));
+    }
+}

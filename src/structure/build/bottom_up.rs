@@ -131,4 +131,93 @@ mod tests {
         assert_eq!(spread(0b1011), 0b001_000_001_001);
         assert_eq!(spread(0x1f_ffff), 0x1249_2492_4924_9249);
     }
+
+    /// A cube with sides of 1 in a row along x.
+    fn cube(x: f64) -> Solid {
+        Solid {
+            min: DVec3::new(x, 0.0, 0.0),
+            max: DVec3::new(x + 1.0, 1.0, 1.0),
+        }
+    }
+
+    fn clusters(places: &[f64]) -> Vec<Cluster> {
+        let of = |(&x, node)| Cluster {
+            node,
+            solid: cube(x),
+        };
+        places.iter().zip(0..).map(of).collect()
+    }
+
+    fn partners(places: &[f64]) -> Vec<usize> {
+        let waiting = clusters(places);
+        (0..waiting.len()).map(|at| partner(&waiting, at)).collect()
+    }
+
+    #[test]
+    fn the_partner_is_the_one_with_which_the_box_is_smallest() {
+        // widths with the neighbours: 2 or 6; 2 or 5; 5 or 2; 6 or 2
+        assert_eq!(partners(&[0.0, 1.0, 5.0, 6.0]), [1, 0, 3, 2]);
+        assert_eq!(partners(&[0.0, 1.0, 2.5]), [1, 0, 1]);
+        assert_eq!(partners(&[0.0]), [0]);
+    }
+
+    #[test]
+    fn of_equal_boxes_the_pair_that_comes_first_is_taken() {
+        assert_eq!(partners(&[0.0, 1.0, 2.0, 3.0]), [1, 0, 1, 2]);
+        assert_eq!(partners(&[4.0, 4.0, 4.0]), [1, 0, 0]);
+    }
+
+    #[test]
+    fn partners_are_looked_for_among_the_sixteen_to_either_side() {
+        // all a hundred apart, but for two in one place
+        let far = |equal: usize| {
+            let mut places: Vec<f64> = (0..40).map(|i| 100.0 * f64::from(i)).collect();
+            places[20 + equal] = places[20];
+            let found = partners(&places);
+            [found[20], found[20 + equal]]
+        };
+        assert_eq!(far(16), [36, 20]);
+        let [from_20, from_37] = far(17);
+        assert!(from_20 != 37 && from_37 != 20, "{from_20} {from_37}");
+    }
+
+    #[test]
+    fn each_round_joins_those_that_have_found_each_other_and_keeps_the_others() {
+        let mut waiting = clusters(&[0.0, 1.0, 2.5, 7.0, 8.0]);
+        let mut tree = Tree::of(5);
+        let partners: Vec<usize> = (0..5).map(|at| partner(&waiting, at)).collect();
+        assert_eq!(partners, [1, 0, 1, 4, 3]);
+        join(&mut waiting, &partners, &mut tree);
+        let nodes: Vec<u32> = waiting.iter().map(|cluster| cluster.node).collect();
+        assert_eq!(nodes, [5, 2, 6]);
+        assert_eq!(tree.children(5), Some(&[0, 1]));
+        assert_eq!(tree.children(6), Some(&[3, 4]));
+        assert_eq!(waiting[0].solid, cube(0.0).union(&cube(1.0)));
+        assert_eq!(waiting[2].solid, cube(7.0).union(&cube(8.0)));
+    }
+
+    #[test]
+    fn the_curve_takes_the_corners_of_a_cube_x_first_then_y_then_z() {
+        let at = |x: f64, y: f64, z: f64| Solid {
+            min: DVec3::new(x, y, z),
+            max: DVec3::new(x, y, z),
+        };
+        // (1, 1, 1), (0, 0, 1), (1, 0, 0), (0, 1, 0), (0, 0, 0), shifted: places 7, 4, 1, 2, 0 on the curve
+        let solids = [
+            at(11.0, 6.0, 4.0),
+            at(10.0, 5.0, 4.0),
+            at(11.0, 5.0, 3.0),
+            at(10.0, 6.0, 3.0),
+            at(10.0, 5.0, 3.0),
+        ];
+        assert_eq!(along_the_curve(&solids), [4, 2, 3, 1, 0]);
+        // in one plane the third coordinate says nothing; finer steps of x count below a step of y of the whole height
+        let flat = [
+            at(8.0, 1.0, 2.0),
+            at(1.0, 0.0, 2.0),
+            at(0.0, 1.0, 2.0),
+            at(4.0, 0.0, 2.0),
+        ];
+        assert_eq!(along_the_curve(&flat), [1, 3, 2, 0]);
+    }
 }

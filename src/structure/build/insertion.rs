@@ -102,3 +102,90 @@ impl Growing {
         costs.min_by(|a, b| a.2.total_cmp(&b.2).then(a.0.cmp(&b.0)))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::small_scene::{cube_at, scene_of};
+    use crate::structure::Link;
+
+    /// What is below each node, as the first and the number of its children, or as the object.
+    #[derive(Debug, PartialEq)]
+    enum Below {
+        Children(u32, u32),
+        Object(u32),
+    }
+
+    fn below(places: &[f64]) -> Vec<Below> {
+        let cubes: Vec<_> = places.iter().map(|&x| cube_at(x)).collect();
+        let topology: Topology<3> = insertion(&scene_of(&cubes));
+        let of = |link| match link {
+            Link::Children { first, count } => Below::Children(first, count),
+            Link::Objects { first, count } => {
+                assert_eq!(count, 1);
+                Below::Object(topology.order[first as usize].0)
+            }
+        };
+        topology.nodes.iter().map(|node| of(node.link)).collect()
+    }
+
+    use Below::{Children, Object};
+
+    #[test]
+    fn no_object_makes_no_node_one_a_leaf_and_two_a_pair() {
+        assert_eq!(below(&[]), []);
+        assert_eq!(below(&[3.0]), [Object(0)]);
+        assert_eq!(below(&[3.0, 9.0]), [Children(1, 2), Object(0), Object(1)]);
+    }
+
+    #[test]
+    fn a_third_far_away_becomes_one_more_child() {
+        // w wide and 1 × 1 across, half the surface is 2w + 1: one more child costs 2·9 + 1 = 19, a pair with the nearer cube
+        // 2·(2·8 + 1) = 34
+        let nodes = [Children(1, 3), Object(0), Object(1), Object(2)];
+        assert_eq!(below(&[0.0, 1.0, 8.0]), nodes);
+    }
+
+    #[test]
+    fn a_fourth_beside_the_third_is_joined_with_it() {
+        // one more child costs 2·10 + 1 = 21, a pair with the third 2·(2·2 + 1) = 10
+        let nodes = [
+            Children(1, 3),
+            Object(0),
+            Object(1),
+            Children(4, 2),
+            Object(2),
+            Object(3),
+        ];
+        assert_eq!(below(&[0.0, 1.0, 8.0, 9.0]), nodes);
+    }
+
+    #[test]
+    fn a_fifth_beside_the_pair_goes_on_into_it() {
+        // one more child of the root costs 2·11 + 1 = 23; the pair grows from 2 to 3, (7 − 5)·2 = 4. In it one more child costs 7
+        // and a pair with the nearer cube 2·5 = 10
+        let nodes = [
+            Children(1, 3),
+            Object(0),
+            Object(1),
+            Children(4, 3),
+            Object(2),
+            Object(3),
+            Object(4),
+        ];
+        assert_eq!(below(&[0.0, 1.0, 8.0, 9.0, 10.0]), nodes);
+    }
+
+    #[test]
+    fn growth_counts_once_for_each_grandchild() {
+        // a triple of cubes at 0 and a pair at 7.5; a sixth between them at x makes the triple grow by 2x·3 and the pair by
+        // 2(7.5 − x)·2, which is equal at x = 3
+        let with = |x: f64| below(&[0.0, 7.5, 0.0, 0.0, 7.5, x]);
+        let into = |nodes: &[Below]| match (&nodes[1], &nodes[2]) {
+            (Children(_, first), Children(_, second)) => (*first, *second),
+            other => panic!("{other:?}"),
+        };
+        assert_eq!(into(&with(2.9)), (4, 2));
+        assert_eq!(into(&with(3.1)), (3, 3));
+    }
+}

@@ -293,3 +293,155 @@ fn partition(items: &mut [Item], first: impl Fn(&Item) -> bool) -> usize {
     }
     middle
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::small_scene::{cube_at, scene_of, sphere};
+
+    /// What becomes of each node: the first child or object, how many, and whether they are objects.
+    fn links(scene: &Scene) -> Vec<(u32, u32, bool)> {
+        let topology: Topology<3> = surface_area(scene);
+        let links = topology.nodes.iter().map(|node| match node.link {
+            Link::Children { first, count } => (first, count, false),
+            Link::Objects { first, count } => (first, count, true),
+        });
+        links.collect()
+    }
+
+    fn order(scene: &Scene) -> Vec<u32> {
+        let topology: Topology<3> = surface_area(scene);
+        topology.order.iter().map(|id| id.0).collect()
+    }
+
+    fn items(scene: &Scene) -> Vec<Item> {
+        let item = |(id, primitive): (PrimitiveId, &Primitive)| Item {
+            solid: Solid::of(&primitive.shape),
+            id,
+        };
+        (0..)
+            .map(PrimitiveId)
+            .zip(&scene.primitives)
+            .map(item)
+            .collect()
+    }
+
+    #[test]
+    fn two_pairs_of_cubes_far_apart_are_cut_between_the_pairs() {
+        // w wide and 1 × 1 across, half the surface is 2w + 1. Whole: 4·21 = 84. Cut: 1.5·21 + 5·2 + 5·2 = 51.5. A pair
+        // whole: 2·5 = 10; cut: 1.5·5 + 3 + 3 = 13.5
+        for places in [[0.0, 1.0, 8.0, 9.0], [8.0, 0.0, 9.0, 1.0]] {
+            let scene = scene_of(&places.map(cube_at));
+            assert_eq!(links(&scene), [(1, 2, false), (0, 2, true), (2, 2, true)]);
+            let sorted = order(&scene);
+            let is_left = |id: &u32| places[*id as usize] < 5.0;
+            assert!(sorted[..2].iter().all(is_left), "{sorted:?}");
+            assert!(!sorted[2..].iter().any(is_left), "{sorted:?}");
+        }
+        let scene = scene_of(&[0.0, 1.0, 8.0, 9.0].map(cube_at));
+        let items = items(&scene);
+        let cut = best_cut(&items, &Binning::new(&items)).unwrap();
+        // the cubes are wider by some 10⁻⁹
+        assert!((cut.cost - 20.0).abs() <= 1e-7, "{}", cut.cost);
+        assert_eq!(cut.axis, 0);
+        let [left, right] = cut.solids.map(|solid| [solid.min.x, solid.max.x]);
+        for (found, expected) in [left, right]
+            .into_iter()
+            .flatten()
+            .zip([0.0, 2.0, 8.0, 10.0])
+        {
+            assert!((found - expected).abs() <= 1e-8, "{found}");
+        }
+    }
+
+    #[test]
+    fn a_cut_pays_from_the_width_on_at_which_the_saved_tests_cost_more_than_the_node() {
+        let is_cut = |shapes: [String; 2]| links(&scene_of(&shapes)).len() == 3;
+        // boxes: 2(2w + 1) against 1.5(2w + 1) + 6, so from w = 5.5 on
+        assert!(!is_cut([0.0, 4.4].map(cube_at)));
+        assert!(is_cut([0.0, 4.6].map(cube_at)));
+        // spheres, where a node costs 2.2 tests: never
+        let balls = [1.0, 1000.0].map(|x| sphere([x, 0.0, 0.0], 0.5));
+        assert!(!is_cut(balls));
+        // one of each, where it costs 1.85: 0.15(2w + 1) against 6, so from w = 19.5 on
+        let ball = || sphere([0.5, 0.5, 0.5], 0.5);
+        assert!(!is_cut([ball(), cube_at(18.4)]));
+        assert!(is_cut([ball(), cube_at(18.6)]));
+    }
+
+    #[test]
+    fn the_cut_may_be_across_any_axis_and_need_not_be_in_the_middle() {
+        use crate::scene::small_scene::solid;
+        for axis in 0..3 {
+            let cube = |at: f64| {
+                let (mut min, mut max) = ([0.0; 3], [1.0; 3]);
+                (min[axis], max[axis]) = (at, at + 1.0);
+                solid(min, max)
+            };
+            // A₁·n₁ + A₂·n₂ = 7·3 + 3·1 = 24 where the one far away is cut off; elsewhere it is part of a long box
+            let scene = scene_of(&[0.0, 20.0, 1.0, 2.0].map(cube));
+            assert_eq!(links(&scene), [(1, 2, false), (0, 3, true), (3, 1, true)]);
+            let scene = scene_of(&[0.0, 20.0, 19.0, 18.0].map(cube));
+            assert_eq!(links(&scene), [(1, 2, false), (0, 1, true), (1, 3, true)]);
+        }
+    }
+
+    #[test]
+    fn of_objects_in_one_place_eight_make_a_leaf_and_more_are_halved() {
+        let equal = |count: usize| links(&scene_of(&vec![cube_at(3.0); count]));
+        assert_eq!(equal(1), [(0, 1, true)]);
+        assert_eq!(equal(8), [(0, 8, true)]);
+        assert_eq!(equal(9), [(1, 2, false), (0, 4, true), (4, 5, true)]);
+        assert!(links(&scene_of(&[])).is_empty());
+    }
+
+    #[test]
+    fn more_than_eight_objects_are_cut_even_where_a_leaf_would_cost_less() {
+        // nearly in one place, so that every box is some 1 long: 9·3 against 1.5·3 + 9·3
+        let near: Vec<_> = (0..9).map(|i| cube_at(1e-3 * f64::from(i))).collect();
+        assert_eq!(links(&scene_of(&near)).len(), 3);
+        assert_eq!(links(&scene_of(&near[..8])).len(), 1);
+    }
+
+    #[test]
+    fn a_node_at_the_depth_limit_is_halved_by_number() {
+        let scene =
+            scene_of(&[0.0, 1.0, 2.0, 30.0, 31.0, 32.0, 33.0, 34.0, 35.0, 36.0].map(cube_at));
+        let mut items = items(&scene);
+        let whole = around(&items);
+        let halves = |items: &mut [Item], depth| cut(items, &whole, depth, 1.5).map(|of| of.left);
+        assert_eq!(halves(&mut items, DEEPEST - 1), Some(3));
+        assert_eq!(halves(&mut items, DEEPEST), Some(5));
+        assert_eq!(halves(&mut items[..8], DEEPEST), None);
+    }
+
+    #[test]
+    fn bins_are_twice_as_many_as_objects_up_to_sixteen_from_the_first_center_to_the_last() {
+        let scene = scene_of(&[0.0, 1.1, 2.0].map(cube_at));
+        let of_three = items(&scene);
+        let bins = Binning::new(&of_three);
+        // six bins for centers at 0, at 1.1 of 2 and at 2, which belongs to the last bin
+        let found = [0, 1, 2].map(|i| bins.along(0, &of_three[i]));
+        assert_eq!(found, [0, 3, 5]);
+        // across, all centers agree
+        assert_eq!([1, 2].map(|axis| bins.along(axis, &of_three[2])), [0, 0]);
+        let places = (0..=16).map(|i| f64::from(i) + if i % 16 == 0 { 0.0 } else { 0.3 });
+        let scene = scene_of(&places.map(cube_at).collect::<Vec<_>>());
+        let of_many = items(&scene);
+        let bins = Binning::new(&of_many);
+        // one apart each, and the last two share a bin
+        let found: Vec<_> = of_many.iter().map(|item| bins.along(0, item)).collect();
+        assert!(found[..16].iter().copied().eq(0..16), "{found:?}");
+        assert_eq!(found[16], 15);
+    }
+
+    #[test]
+    fn partitioning_moves_what_belongs_to_the_front_and_counts_it() {
+        let scene = scene_of(&[0.0, 1.0, 2.0, 3.0, 4.0].map(cube_at));
+        let mut items = items(&scene);
+        let count = partition(&mut items, |item| item.id.0 % 2 == 1);
+        assert_eq!(count, 2);
+        let front: Vec<_> = items[..2].iter().map(|item| item.id.0).collect();
+        assert_eq!(front, [1, 3]);
+    }
+}

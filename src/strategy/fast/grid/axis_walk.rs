@@ -74,3 +74,44 @@ impl<'g> AxisWalk<'g> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::strategy::fast::grid::one_way::Ways;
+    use crate::structure::CellPlanes;
+    use glam::DVec3;
+
+    /// Three cells along y, from 1 to 7, of a grid with 10 along x.
+    fn ways() -> Ways {
+        let (min, max) = (DVec3::new(0.0, 1.0, 0.0), DVec3::new(10.0, 7.0, 1.0));
+        Ways::new(&CellPlanes::new(min, max, [10, 3, 1]))
+    }
+
+    #[test]
+    fn a_walk_upwards_meets_the_planes_from_the_lowest_on() {
+        let ways = ways();
+        let way = ways.of(DVec3::Y)[1];
+        // y = 2 + t/2: 1 at −2, 3 at 2, 5 at 6, 7 at 10
+        let mut walk = AxisWalk::new(way, 1, 2.0, 0.5, 2.0);
+        assert_eq!(walk.first_three(), [2.0, 6.0, 10.0]);
+        assert_eq!((walk.meeting().plane, walk.meeting().t()), (5.0, 6.0));
+        // behind the next plane the plane after the next one is the end of the world
+        assert_eq!(walk.cross(), Some(f64::INFINITY));
+        assert_eq!((walk.meeting().plane, walk.meeting().t()), (7.0, 10.0));
+        assert_eq!(walk.next_cell(10), 20);
+        assert_eq!(walk.cross(), None);
+    }
+
+    #[test]
+    fn a_walk_downwards_meets_them_from_the_highest_on() {
+        let ways = ways();
+        let way = ways.of(DVec3::NEG_Y)[1];
+        // from the highest cell, y = 8 − 2t: 7 at ½, 5 at 1½, 3 at 2½, 1 at 3½
+        let mut walk = AxisWalk::new(way, 0, 8.0, -2.0, -0.5);
+        assert_eq!(walk.first_three(), [f64::NEG_INFINITY, 1.5, 2.5]);
+        assert_eq!(walk.cross(), Some(3.5));
+        assert_eq!(walk.next_cell(20), 10);
+        assert_eq!((walk.meeting().plane, walk.meeting().t()), (3.0, 2.5));
+    }
+}

@@ -183,4 +183,35 @@ mod tests {
             assert_eq!(found, [0, 0, 1, 2, 2]);
         }
     }
+
+    #[test]
+    fn ways_know_their_ends_their_cells_and_how_numbers_grow() {
+        let [up, down] = ways();
+        assert_eq!((up.from, up.to, up.per_unit, up.last), (1.0, 7.0, 0.5, 2));
+        assert_eq!(
+            (down.from, down.to, down.per_unit, down.last),
+            (7.0, 1.0, -0.5, 2)
+        );
+        assert_eq!([0, 1, 2].map(|cell| up.along_from_lowest(cell)), [0, 1, 2]);
+        assert_eq!(
+            [0, 1, 2].map(|cell| down.along_from_lowest(cell)),
+            [2, 1, 0]
+        );
+        // the end of the world in place of the first plane, three planes, the end of the world
+        assert_eq!(up.bytes(), 40);
+    }
+
+    #[test]
+    fn a_ray_takes_the_way_of_its_sign_along_each_axis() {
+        let cells = CellPlanes::new(DVec3::ZERO, DVec3::new(2.0, 4.0, 6.0), [1, 2, 3]);
+        let ways = Ways::new(&cells);
+        let from = |direction: DVec3| ways.of(direction).map(|way| (way.from, way.to));
+        let found = from(DVec3::new(1.0, -1.0, 0.0));
+        assert_eq!(found, [(0.0, 2.0), (4.0, 0.0), (0.0, 6.0)]);
+        let found = from(DVec3::new(-1.0, 0.0, -0.0));
+        assert_eq!(found, [(2.0, 0.0), (0.0, 4.0), (6.0, 0.0)]);
+        // 2 + 3 + 4 planes and three more ends of the world, each both ways
+        assert_eq!(ways.bytes(), 2 * 8 * (2 + 3 + 4 + 3));
+        assert_eq!(Ways::new(&CellPlanes::default()).bytes(), 0);
+    }
 }
