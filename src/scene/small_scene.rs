@@ -45,3 +45,32 @@ pub(crate) fn cube_at(x: f64) -> String {
 pub(crate) fn polygon(vertices: &[[f64; 3]]) -> String {
     format!(r#"{{"polygon":{{"vertices":{vertices:?}}}}}"#)
 }
+
+/// A scene of one pixel: the eye is in the origin and looks along −z through the middle of a window with sides of 2, which lies
+/// 1 ahead. `rest` is the scene file's other keys.
+#[track_caller]
+pub(crate) fn one_pixel(rest: &str) -> Scene {
+    scene_from(&format!(
+        r#"{{"camera":{{"window":{{"cop":[0,0,0],"corner":[-1,-1,-1],"right":[2,0,0],"up":[0,2,0]}},
+        "pixels":[1,1]}},{rest}}}"#
+    ))
+}
+
+/// An object with a name and a material.
+pub(crate) fn object(name: &str, material: &str, shape: &str) -> String {
+    format!(r#"{{"name":"{name}","material":"{material}","shape":{shape}}}"#)
+}
+
+/// A large square across z, which faces the origin.
+pub(crate) fn wall(z: f64) -> String {
+    let mut corners = [
+        [-90.0, -90.0, z],
+        [90.0, -90.0, z],
+        [90.0, 90.0, z],
+        [-90.0, 90.0, z],
+    ];
+    if 0.0 < z {
+        corners.reverse();
+    }
+    polygon(&corners)
+}

@@ -237,8 +237,8 @@ mod tests {
                 for volume in [VolumeKind::Box, VolumeKind::Slabs, VolumeKind::Sphere] {
                     for build in [Build::BottomUp, Build::Insertion, Build::SurfaceArea] {
                         let mut options = StructureOptions {
-                            slabs,
                             volume,
+                            slabs,
                             build,
                             ..StructureOptions::default()
                         };

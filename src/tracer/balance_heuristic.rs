@@ -101,3 +101,115 @@ impl Paths<'_> {
         t * t / (area * cosine)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::small_scene::one_pixel;
+    use crate::trace::{Off, Recording};
+
+    /// The lamp at (0, 3, −1), the point (0, 0, −5) of a wall of albedo ½ that faces the eye, and the eye in the origin: 5 from the
+    /// lamp to the wall at a cosine of 0.8, and 5 from there to the eye along the normal.
+    fn vertices() -> [Vertex; 3] {
+        let lamp = Vertex::end(DVec3::new(0.0, 3.0, -1.0), DVec3::ONE);
+        let wall = Vertex {
+            normal: DVec3::Z,
+            albedo: DVec3::splat(0.5),
+            ..Vertex::end(DVec3::new(0.0, 0.0, -5.0), DVec3::ONE)
+        };
+        [lamp, wall, Vertex::end(DVec3::ZERO, DVec3::ONE)]
+    }
+
+    #[track_caller]
+    fn check(found: f64, expected: f64) {
+        assert!(
+            (found - expected).abs() <= 1e-15,
+            "{found}, expected {expected}"
+        );
+    }
+
+    #[test]
+    fn the_weights_of_both_ways_to_connect_a_path_of_two_edges_are_5_pi_to_4() {
+        let camera = one_pixel(r#""objects":[]"#).camera;
+        let [lamp, wall, eye] = vertices();
+        let paths = Paths {
+            camera: &camera,
+            number: 0,
+            light: &[lamp, wall],
+            eye: &[eye, wall],
+        };
+        // from the lamp: G = 0.8/25, φ = 1/4π, φ' = ½/π: a share of 250π². To the eye: G = 1/25, φ = ½/π, φ' = 1/4, the window
+        // being 1 away and 4 large: a share of 200π
+        check(paths.weight(0, 1, &mut Off), 5.0 * PI / (4.0 + 5.0 * PI));
+        check(paths.weight(1, 0, &mut Off), 4.0 / (4.0 + 5.0 * PI));
+
+        let mut recording = Recording::new(Vec::new());
+        let _ = paths.weight(1, 0, &mut recording);
+        let records = recording.into_sink();
+        let edges: Vec<_> = records
+            .iter()
+            .map(|record| match &record.event {
+                Event::Alternative(edge) => (edge.edge, edge.chosen, edge.share, edge.densities),
+                other => panic!("{other:?}"),
+            })
+            .collect();
+        assert_eq!(edges.len(), 2);
+        let [first, second] = [edges[0], edges[1]];
+        assert_eq!((first.0, first.1, second.0, second.1), (1, false, 2, true));
+        check(first.2 / (250.0 * PI * PI), 1.0);
+        check(second.2 / (200.0 * PI), 1.0);
+        check(first.3[0], 0.25 / PI);
+        check(first.3[1], 0.5 / PI);
+        check(second.3[0], 0.5 / PI);
+        check(second.3[1], 0.25);
+    }
+
+    #[test]
+    fn an_edge_at_a_mirror_is_none_that_could_be_the_line() {
+        let camera = one_pixel(r#""objects":[]"#).camera;
+        let [lamp, wall, eye] = vertices();
+        // between the wall and the eye the path is mirrored: the line from the lamp to the wall is the only way
+        let mirror = Vertex {
+            is_specular: true,
+            normal: DVec3::X,
+            ..Vertex::end(DVec3::new(-2.0, 0.0, -2.5), DVec3::ONE)
+        };
+        let paths = Paths {
+            camera: &camera,
+            number: 0,
+            light: &[lamp],
+            eye: &[eye, mirror, wall],
+        };
+        check(paths.weight(0, 2, &mut Off), 1.0);
+        // what chance decided at the ends of the line itself does not count
+        let went_on = Vertex {
+            is_specular: true,
+            ..wall
+        };
+        let paths = Paths {
+            camera: &camera,
+            number: 0,
+            light: &[lamp, went_on],
+            eye: &[eye, went_on],
+        };
+        check(paths.weight(0, 1, &mut Off), 5.0 * PI / (4.0 + 5.0 * PI));
+        check(paths.weight(1, 0, &mut Off), 4.0 / (4.0 + 5.0 * PI));
+    }
+
+    #[test]
+    fn the_window_s_density_grows_with_the_distance_along_a_slanted_line() {
+        let camera = one_pixel(r#""objects":[]"#).camera;
+        let paths = Paths {
+            camera: &camera,
+            number: 0,
+            light: &[],
+            eye: &[],
+        };
+        // cos θ = 0.8: the window's plane is 1.25 away, 1.5625/(4·0.8)
+        check(
+            paths.window_density(DVec3::new(0.6, 0.0, -0.8)),
+            0.488_281_25,
+        );
+        check(paths.window_density(DVec3::NEG_Z), 0.25);
+    }
+}

@@ -29,3 +29,21 @@ pub fn start_epsilon(point: DVec3, t: f64, reach: f64) -> f64 {
     let numbers = point.abs().max_element().max(t);
     (EPSILON * numbers).max(SURFACE * reach)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn epsilon_is_a_billionth_of_the_largest_number_that_the_point_was_computed_from() {
+        let of = |t, reach| start_epsilon(DVec3::new(3.0, -4.0, 2.0), t, reach);
+        // the coordinate 4, t = 10, and of a surface that reaches to 10⁶ a part in 10¹³
+        for (found, expected) in [
+            (of(1.0, 5.0), 4e-9),
+            (of(10.0, 5.0), 1e-8),
+            (of(1.0, 1e6), 1e-7),
+        ] {
+            assert!((found - expected).abs() <= 1e-15 * expected, "{found}");
+        }
+    }
+}

@@ -139,4 +139,85 @@ mod tests {
         let own = heat_values(&lines, HeatOf::Tests, Through::Centres);
         assert_eq!(own, [0.0, 1.0, 2.0, 4.0, 8.0, 16.0]);
     }
+
+    use crate::geometry::Ray;
+    use crate::scene::Scene;
+    use crate::scene::small_scene::{cube_at, object, one_pixel, scene_of, wall};
+    use crate::strategy::{Chosen, Strategy};
+    use crate::structure::{Build, StructureOptions};
+    use crate::trace::{RayStart, StrategyName, Transport};
+    use crate::tracer::{Tracer, trace_pixel};
+    use glam::DVec3;
+
+    /// What a ray along x costs among two pairs of cubes far apart.
+    fn heat_of(name: StrategyName) -> Heat {
+        let scene = scene_of(&[0.0, 1.0, 8.0, 9.0].map(cube_at));
+        let mut options = StructureOptions {
+            build: Build::SurfaceArea,
+            ..StructureOptions::default()
+        };
+        options.grid.resolution = Some([10, 1, 1]);
+        let strategy = Chosen::new(&scene, name, &options).unwrap();
+        let ray = Ray::new(DVec3::new(-1.0, 0.5, 0.5), DVec3::X);
+        let mut line = HeatLine::default();
+        let start = RayStart {
+            ray,
+            depth: 1,
+            ..RayStart::default()
+        };
+        line.note(|| Event::Ray(start));
+        let _ = strategy.nearest(&ray, crate::geometry::TRange::FORWARD, &mut line);
+        line.heats[0]
+    }
+
+    #[test]
+    fn heat_counts_object_tests_bounds_with_entered_nodes_and_cells() {
+        let counts = |name| {
+            let heat = heat_of(name);
+            [heat.tests, heat.nodes, heat.cells]
+        };
+        assert_eq!(counts(StrategyName::Exhaustive), [4, 0, 0]);
+        // four volumes, of which the first alone is met before its hit
+        assert_eq!(counts(StrategyName::Bounds), [1, 4, 0]);
+        // three bounds and two nodes that are entered, with two objects in the leaf
+        assert_eq!(counts(StrategyName::Hierarchy), [2, 5, 0]);
+        // the grid is wider than the row, and so its first plane lies a little before the second cube
+        assert_eq!(counts(StrategyName::Grid), [1, 0, 1]);
+    }
+
+    #[test]
+    fn depth_is_that_of_the_deepest_ray_that_was_traced() {
+        let depth = |max_depth: u32, reflection: f64, lights: &str| {
+            let scene: Scene = one_pixel(&format!(
+                r#""max_depth":{max_depth},"materials":{{"m":{{"colour":[1,1,1],"reflection":{reflection}}}}},
+                "lights":[{lights}],"objects":[{},{}]"#,
+                object("ahead", "m", &wall(-5.0)),
+                object("behind", "m", &wall(5.0))
+            ));
+            let strategy = crate::strategy::Exhaustive::new(&scene);
+            let tracer = Tracer::new(&scene, &strategy, Transport::HybridLight);
+            let mut line = HeatLine::default();
+            let _ = trace_pixel(&tracer, [0, 0], Through::Centres, &mut line);
+            assert!(line.open.is_empty());
+            line.heats[0].depth
+        };
+        assert_eq!(depth(4, 0.0, ""), 1);
+        // the fifth is noted and not traced
+        assert_eq!(depth(4, 0.5, ""), 4);
+        let lamp = r#"{"position":[0,3,-1],"colour":[1,1,1]}"#;
+        assert_eq!(depth(4, 0.0, lamp), 2);
+    }
+
+    #[test]
+    fn each_quantity_is_shown_for_itself() {
+        let heat = Heat {
+            tests: 1,
+            nodes: 2,
+            cells: 3,
+            depth: 4,
+        };
+        let values =
+            [HeatOf::Tests, HeatOf::Nodes, HeatOf::Cells, HeatOf::Depth].map(|of| of.value(&heat));
+        assert_eq!(values, [1.0, 2.0, 3.0, 4.0]);
+    }
 }

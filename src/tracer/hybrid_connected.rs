@@ -232,3 +232,173 @@ impl Line {
 fn per_area(crossing: &WindowCrossing, area: f64) -> f64 {
     crossing.t * crossing.t / (area * crossing.cosine)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::Scene;
+    use crate::scene::small_scene::{object, one_pixel, sphere};
+    use crate::strategy::Exhaustive;
+    use crate::trace::{Recording, Settings, Transport};
+
+    /// The lamp at (0, 3, −1), the point (0, 0, −5) of a wall of albedo ½ that faces the eye, and the eye in the origin.
+    fn vertices() -> [Vertex; 3] {
+        let lamp = Vertex::end(DVec3::new(0.0, 3.0, -1.0), DVec3::splat(8.0));
+        let wall = Vertex {
+            normal: DVec3::Z,
+            albedo: DVec3::splat(0.5),
+            epsilon: 5e-9,
+            ..Vertex::end(DVec3::new(0.0, 0.0, -5.0), DVec3::splat(2.0))
+        };
+        [lamp, wall, Vertex::end(DVec3::ZERO, DVec3::ONE)]
+    }
+
+    #[test]
+    fn a_line_knows_its_length_its_direction_and_the_cosines_at_both_ends() {
+        let [lamp, wall, eye] = vertices();
+        let line = Line::between(&lamp, &wall, None).unwrap();
+        assert_eq!(line.distance, 5.0);
+        assert!((line.direction - DVec3::new(0.0, 0.6, 0.8)).length() <= 1e-15);
+        assert_eq!(line.cosines[0], 1.0);
+        assert!((line.cosines[1] - 0.8).abs() <= 1e-15);
+        assert!(line.crossing.is_none());
+        let camera = one_pixel(r#""objects":[]"#).camera;
+        let line = Line::between(&wall, &eye, Some(&camera)).unwrap();
+        assert_eq!((line.direction, line.cosines), (DVec3::NEG_Z, [1.0, 1.0]));
+        assert_eq!(line.crossing.map(|crossing| crossing.pixel), Some([0, 0]));
+    }
+
+    #[test]
+    fn no_line_goes_to_a_surface_that_faces_away_or_is_black_or_past_the_window() {
+        let [lamp, wall, eye] = vertices();
+        let away = Vertex {
+            normal: DVec3::NEG_Z,
+            ..wall
+        };
+        let along = Vertex {
+            normal: DVec3::X,
+            ..wall
+        };
+        let black = Vertex {
+            albedo: DVec3::ZERO,
+            ..wall
+        };
+        for none in [away, along, black] {
+            assert!(Line::between(&lamp, &none, None).is_none());
+            assert!(Line::between(&none, &eye, None).is_none());
+        }
+        assert!(Line::between(&wall, &wall, None).is_none());
+        // the window is 1 ahead and reaches 1 to each side
+        let camera = one_pixel(r#""objects":[]"#).camera;
+        let beside = Vertex {
+            point: DVec3::new(6.0, 0.0, -5.0),
+            ..wall
+        };
+        assert!(Line::between(&beside, &eye, Some(&camera)).is_none());
+        assert!(Line::between(&beside, &eye, None).is_some());
+    }
+
+    /// What the line between two vertices brings, and what is noted of it.
+    fn connected(scene: &Scene, light_vertex: usize, eye_vertex: usize) -> Connection {
+        let [lamp, wall, eye] = vertices();
+        let strategy = Exhaustive::new(scene);
+        let tracer = Tracer::new(scene, &strategy, Transport::HybridConnected);
+        let paths = Paths {
+            camera: &scene.camera,
+            number: 7,
+            light: &[lamp, wall],
+            eye: &[eye, wall],
+        };
+        let mut recording = Recording::new(Vec::new());
+        let connected = tracer.connect(&paths, light_vertex, eye_vertex, &mut recording);
+        let ControlFlow::Continue(Some(found)) = connected else {
+            panic!("{connected:?}");
+        };
+        let records = recording.into_sink();
+        let last = records.last().map(|record| record.event);
+        assert_eq!(last, Some(Event::Connection(found)));
+        found
+    }
+
+    #[track_caller]
+    fn check(found: DVec3, expected: f64) {
+        let off = (found - expected).abs().max_element();
+        assert!(off <= 1e-15, "{found}, expected {expected}");
+    }
+
+    #[test]
+    fn a_line_to_the_eye_brings_the_light_of_the_wall_over_the_window_s_area() {
+        let empty = one_pixel(r#""objects":[]"#);
+        let found = connected(&empty, 1, 0);
+        assert_eq!((found.path, found.pixel), (7, Some([0, 0])));
+        assert_eq!((found.light_vertex, found.eye_vertex), (1, 0));
+        assert!(found.visible);
+        // Φ'·ρ/π = 2·½/π, G = 1/25, the pixel's 1/4; the other way has the share 5π to this one's 4
+        let weight = 4.0 / (4.0 + 5.0 * PI);
+        assert!((found.weight - weight).abs() <= 1e-15);
+        check(found.contribution, 1.0 / PI / 25.0 / 4.0 * weight);
+    }
+
+    #[test]
+    fn a_line_from_the_lamp_brings_its_intensity_to_the_wall() {
+        let empty = one_pixel(r#""objects":[]"#);
+        let found = connected(&empty, 0, 1);
+        assert_eq!(found.pixel, None);
+        // Φ'/4π = 8/4π, G = 0.8/25, ρ/π·β = ½/π·2
+        let weight = 5.0 * PI / (4.0 + 5.0 * PI);
+        check(found.contribution, 2.0 / PI * 0.032 / PI * weight);
+    }
+
+    #[test]
+    fn what_stands_between_two_vertices_blocks_the_line_and_what_stands_at_its_end_does_not() {
+        let with = |center: [f64; 3], radius: f64| {
+            let ball = object("ball", "m", &sphere(center, radius));
+            let scene = one_pixel(&format!(
+                r#""materials":{{"m":{{"colour":[1,1,1]}}}},"objects":[{ball}]"#
+            ));
+            [connected(&scene, 1, 0), connected(&scene, 0, 1)].map(|found| found.visible)
+        };
+        assert_eq!(with([0.0, 0.0, -3.0], 0.5), [false, true]);
+        assert_eq!(with([0.0, 1.5, -3.0], 0.5), [true, false]);
+        // touching the wall from behind in its point, and the lamp from above in its own
+        assert_eq!(with([0.0, 0.0, -6.0], 1.0), [true, true]);
+        assert_eq!(with([0.0, 3.6, -0.2], 1.0), [true, true]);
+    }
+
+    #[test]
+    fn a_path_of_light_in_an_empty_scene_has_the_lamp_as_its_only_vertex() {
+        let scene = one_pixel(r#""lights":[{"position":[0,3,-1],"power":8}],"objects":[]"#);
+        let strategy = Exhaustive::new(&scene);
+        let tracer = Tracer::new(&scene, &strategy, Transport::HybridConnected);
+        let mut settings = Settings {
+            transport: Transport::HybridConnected,
+            ..Settings::default()
+        };
+        settings.light.samples = 4;
+        let lamps = Lamps::new(&scene, &settings);
+        let ControlFlow::Continue(found) = tracer.light_vertices(&lamps, 0, &mut Off) else {
+            panic!("nobody has enough");
+        };
+        // 8 watts over 4 paths
+        let [lamp] = found.0[..] else {
+            panic!("{found:?}");
+        };
+        assert_eq!(
+            (lamp.point, lamp.carries),
+            (DVec3::new(0.0, 3.0, -1.0), DVec3::splat(2.0))
+        );
+        let dark = one_pixel(r#""objects":[]"#);
+        let tracer = Tracer::new(&dark, &strategy, Transport::HybridConnected);
+        let found = tracer.light_vertices(&Lamps::new(&dark, &settings), 0, &mut Off);
+        assert!(matches!(found, ControlFlow::Continue(vertices) if vertices.0.is_empty()));
+    }
+
+    #[test]
+    fn light_on_a_part_of_the_window_grows_with_the_square_of_the_distance() {
+        let camera = one_pixel(r#""objects":[]"#).camera;
+        let direction = DVec3::new(0.6, 0.0, -0.8);
+        let crossing = camera.window_crossing(DVec3::ZERO, direction).unwrap();
+        // 1.25² over 4 times 0.8
+        assert!((per_area(&crossing, 4.0) - 0.488_281_25).abs() <= 1e-15);
+    }
+}

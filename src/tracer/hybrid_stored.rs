@@ -240,3 +240,201 @@ impl Watcher for Storing<'_> {
 pub(super) fn bytes_per_photon() -> f64 {
     (size_of::<(Patch, StoredPhoton)>() + size_of::<StoredPhoton>() + 1) as f64
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::Ray;
+    use crate::scene::PrimitiveId;
+    use crate::scene::small_scene::{object, one_pixel, polygon, sphere, wall};
+    use crate::strategy::Hit;
+    use crate::trace::{Off, Recording};
+
+    fn scene(shape: &str, diffuse: f64) -> Scene {
+        one_pixel(&format!(
+            r#""materials":{{"m":{{"colour":[1,0.5,0],"diffuse":{diffuse}}}}},"objects":[{}]"#,
+            object("surface", "m", shape)
+        ))
+    }
+
+    /// What the eye sees straight ahead, 5 away.
+    fn ahead(scene: &Scene) -> Surface<'_> {
+        let ray = Ray::new(DVec3::ZERO, DVec3::NEG_Z);
+        let hit = Hit {
+            object: PrimitiveId(0),
+            t: 5.0,
+        };
+        let normals = scene.primitive(hit.object).shape.normals(ray.at(hit.t));
+        Surface::new(scene, &ray, 1, hit, normals)
+    }
+
+    fn photon(beside: f64, power: f64, normal: DVec3) -> StoredPhoton {
+        StoredPhoton {
+            point: DVec3::new(beside, 0.0, -5.0),
+            normal,
+            power: DVec3::splat(power),
+            path: 0,
+            surface: 1,
+        }
+    }
+
+    /// Stores photons where the eye looks, at these distances and with these powers, and gathers so many there.
+    fn gathered(scene: &Scene, photons: &[StoredPhoton], nearest: u32) -> (DVec3, Gathered) {
+        let surface = ahead(scene);
+        let patch = Patch::of(scene, &surface);
+        let options = LightOptions {
+            nearest,
+            ..LightOptions::default()
+        };
+        let photons = photons.iter().map(|photon| (patch, *photon)).collect();
+        let stored = StoredLight::new(scene, &options, photons);
+        let mut recording = Recording::new(Vec::new());
+        let radiance = stored.gather(scene, &surface, &mut recording);
+        let records = recording.into_sink();
+        match records.last().map(|record| record.event) {
+            Some(Event::Gathered(gathered)) => (radiance, gathered),
+            other => panic!("{other:?}"),
+        }
+    }
+
+    #[track_caller]
+    fn check(found: DVec3, expected: [f64; 3]) {
+        let off = (found - DVec3::from(expected)).abs().max_element();
+        assert!(off <= 1e-15, "{found}, expected {expected:?}");
+    }
+
+    fn row() -> [StoredPhoton; 4] {
+        [3.0, -1.0, 2.0, 7.0].map(|x| photon(x, 4.0 + x, DVec3::Z))
+    }
+
+    #[test]
+    fn the_power_of_all_but_the_farthest_is_divided_by_the_disc_up_to_that() {
+        let scene = scene(&wall(-5.0), 0.5);
+        // of the nearest three at 1, 2 and 3 the powers 3 and 6 count, over 9π; times ρ/π = (½, ¼, 0)/π
+        let (radiance, found) = gathered(&scene, &row(), 3);
+        assert_eq!((found.count, found.radius), (2, Some(3.0)));
+        assert!((found.area - 9.0 * PI).abs() <= 1e-13, "{}", found.area);
+        check(found.irradiance, [1.0 / PI; 3]);
+        check(radiance, [0.5 / PI / PI, 0.25 / PI / PI, 0.0]);
+        assert_eq!(
+            (found.radiance, found.point),
+            (radiance, DVec3::new(0.0, 0.0, -5.0))
+        );
+        // of two the nearest alone
+        let (_, found) = gathered(&scene, &row(), 2);
+        check(found.irradiance, [3.0 / (4.0 * PI); 3]);
+        // there are only four
+        let (_, found) = gathered(&scene, &row(), 50);
+        assert_eq!((found.count, found.radius), (3, Some(7.0)));
+    }
+
+    #[test]
+    fn beside_the_edge_of_a_face_the_disc_is_what_the_face_has_of_it() {
+        let half = polygon(&[
+            [0.0, -90.0, -5.0],
+            [90.0, -90.0, -5.0],
+            [90.0, 90.0, -5.0],
+            [0.0, 90.0, -5.0],
+        ]);
+        let (_, found) = gathered(&scene(&half, 0.5), &row(), 3);
+        assert!((found.area - 4.5 * PI).abs() <= 1e-13, "{}", found.area);
+        check(found.irradiance, [2.0 / PI; 3]);
+    }
+
+    #[test]
+    fn on_a_curved_surface_photons_count_that_face_at_most_60_degrees_away() {
+        let ball = scene(&sphere([0.0, 0.0, -7.0], 2.0), 0.5);
+        let leaning = |cosine: f64| DVec3::new((1.0 - cosine * cosine).sqrt(), 0.0, cosine);
+        let photons = [
+            photon(0.5, 1.0, leaning(0.49)),
+            photon(1.0, 2.0, leaning(0.5)),
+            photon(2.0, 4.0, leaning(1.0)),
+        ];
+        let (_, found) = gathered(&ball, &photons, 3);
+        assert_eq!((found.count, found.radius), (1, Some(2.0)));
+        assert!((found.area - 4.0 * PI).abs() <= 1e-14);
+        check(found.irradiance, [0.5 / PI; 3]);
+    }
+
+    #[test]
+    fn where_nothing_is_stored_no_light_is_seen_and_a_black_surface_is_not_asked() {
+        let (radiance, found) = gathered(&scene(&wall(-5.0), 0.5), &[], 3);
+        assert_eq!(
+            (radiance, found.radius, found.count),
+            (DVec3::ZERO, None, 0)
+        );
+        // a single photon is the farthest itself, and on no area nothing falls
+        let (radiance, _) = gathered(&scene(&wall(-5.0), 0.5), &[photon(2.0, 1.0, DVec3::Z)], 3);
+        assert_eq!(radiance, DVec3::ZERO);
+        let (radiance, found) =
+            gathered(&scene(&wall(-5.0), 0.5), &[photon(0.0, 1.0, DVec3::Z)], 3);
+        assert_eq!((radiance, found.area), (DVec3::ZERO, 0.0));
+        let black = scene(&wall(-5.0), 0.0);
+        let stored = StoredLight::new(&black, &LightOptions::default(), Vec::new());
+        let mut recording = Recording::new(Vec::new());
+        assert_eq!(
+            stored.gather(&black, &ahead(&black), &mut recording),
+            DVec3::ZERO
+        );
+        assert!(recording.into_sink().is_empty());
+    }
+
+    #[test]
+    fn a_map_divides_what_fell_on_a_cell_by_its_area_on_flat_faces_alone() {
+        let options = LightOptions {
+            map: Some(10),
+            ..LightOptions::default()
+        };
+        // ten cells of 2 along a square of 20: three photons in the cell from 0 to 2, one beside
+        let square = polygon(&[
+            [-10.0, -10.0, -5.0],
+            [10.0, -10.0, -5.0],
+            [10.0, 10.0, -5.0],
+            [-10.0, 10.0, -5.0],
+        ]);
+        let at = |x: f64, power: f64| StoredPhoton {
+            point: DVec3::new(x, 0.5, -5.0),
+            ..photon(x, power, DVec3::Z)
+        };
+        let photons = [at(0.5, 1.0), at(1.5, 2.0), at(0.5, 5.0), at(-0.5, 9.0)];
+        let scene = scene(&square, 1.0);
+        let mut surface = ahead(&scene);
+        surface.point = DVec3::new(1.0, 1.0, -5.0);
+        let patch = Patch::of(&scene, &surface);
+        let stored = photons.map(|photon| (patch, photon)).to_vec();
+        let stored = StoredLight::new(&scene, &options, stored);
+        assert_eq!(stored.photons().count(), 0);
+        // 8 watts on 4 square units; ρ/π = (1, ½, 0)/π
+        check(
+            stored.gather(&scene, &surface, &mut Off),
+            [2.0 / PI, 1.0 / PI, 0.0],
+        );
+
+        let ball = self::scene(&sphere([0.0, 0.0, -7.0], 2.0), 0.5);
+        let patch = Patch::of(&ball, &ahead(&ball));
+        let stored = StoredLight::new(&ball, &options, vec![(patch, photons[0])]);
+        assert_eq!(stored.photons().count(), 1);
+    }
+
+    #[test]
+    fn a_photon_is_stored_where_it_meets_a_surface_that_is_not_black() {
+        for (diffuse, count) in [(0.5, 1), (0.0, 0)] {
+            let scene = scene(&wall(-5.0), diffuse);
+            let surface = ahead(&scene);
+            let mut storing = Storing {
+                scene: &scene,
+                path: 7,
+                photons: Vec::new(),
+            };
+            storing.met(&surface, 3, DVec3::splat(2.0), &mut Off);
+            assert_eq!(storing.photons.len(), count);
+            for (patch, photon) in storing.photons {
+                assert_eq!(patch, Patch::of(&scene, &surface));
+                assert_eq!((photon.path, photon.surface), (7, 3));
+                assert_eq!((photon.point, photon.normal), (surface.point, DVec3::Z));
+                assert_eq!(photon.power, DVec3::splat(2.0));
+                assert_eq!(photon.place(), photon.point);
+            }
+        }
+    }
+}

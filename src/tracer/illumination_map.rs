@@ -111,4 +111,33 @@ mod tests {
         assert_eq!((found.power, found.count), (DVec3::new(1.0, 2.0, 0.0), 2));
         assert!((found.area - 0.5).abs() <= 1e-14, "{}", found.area);
     }
+
+    #[test]
+    fn a_map_beside_the_origin_counts_its_cells_from_the_lowest_corner_of_the_face() {
+        // 4 × 2 in the plane x = 3, from y = 5 and z = −1: cells of 1
+        let corners = [
+            [3.0, 5.0, -1.0],
+            [3.0, 9.0, -1.0],
+            [3.0, 9.0, 1.0],
+            [3.0, 5.0, 1.0],
+        ]
+        .map(DVec3::from);
+        let mut map = IlluminationMap::new(&corners, DVec3::X, 4);
+        assert_eq!(map.cells.len(), 8);
+        let at = |y: f64, z: f64| DVec3::new(3.0, y, z);
+        map.add(at(8.5, 0.5), DVec3::ONE);
+        map.add(at(8.1, 0.9), DVec3::ONE);
+        map.add(at(7.9, 0.5), DVec3::X);
+        let light = |y: f64, z: f64| {
+            let found = map.look_up(at(y, z));
+            assert!((found.area - 1.0).abs() <= 1e-14, "{}", found.area);
+            (found.power, found.count)
+        };
+        assert_eq!(light(8.9, 0.1), (DVec3::splat(2.0), 2));
+        assert_eq!(light(7.1, 0.1), (DVec3::X, 1));
+        assert_eq!(light(8.5, -0.5), (DVec3::ZERO, 0));
+        // the corner itself belongs to the cell inside
+        assert_eq!(light(9.0, 1.0), (DVec3::splat(2.0), 2));
+        assert_eq!(light(5.0, -1.0), (DVec3::ZERO, 0));
+    }
 }

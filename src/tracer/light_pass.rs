@@ -252,3 +252,153 @@ impl Yield {
 fn place([x, y]: [u32; 2], [width, _]: [u32; 2]) -> usize {
     y as usize * width as usize + x as usize
 }
+
+#[cfg(test)]
+mod tests {
+    use std::cell::RefCell;
+
+    use super::*;
+    use crate::scene::small_scene::{object, one_pixel, wall};
+    use crate::strategy::Exhaustive;
+    use crate::trace::{Counts, Off, Purpose};
+
+    fn settings(transport: Transport, paths: u64) -> Settings {
+        let mut settings = Settings {
+            transport,
+            ..Settings::default()
+        };
+        settings.light.paths = paths;
+        settings
+    }
+
+    /// A white wall 5 ahead, and a lamp of 12 watts between it and the eye.
+    fn lit_wall() -> Scene {
+        one_pixel(&format!(
+            r#""materials":{{"m":{{"colour":[1,1,1],"diffuse":0.5}}}},
+            "lights":[{{"position":[0,0,-3],"power":12}}],"objects":[{}]"#,
+            object("wall", "m", &wall(-5.0))
+        ))
+    }
+
+    #[test]
+    fn a_pixel_s_place_counts_along_the_row_first() {
+        assert_eq!(place([3, 2], [10, 5]), 23);
+        assert_eq!(place([0, 0], [10, 5]), 0);
+    }
+
+    #[test]
+    fn paths_are_followed_in_pieces_of_1024_and_64_of_them_at_a_time() {
+        let scene = one_pixel(r#""lights":[{"position":[0,3,-1],"power":8}],"objects":[]"#);
+        let strategy = Exhaustive::new(&scene);
+        let paths = 64 * 1024 + 1;
+        let done = RefCell::new(Vec::new());
+        let mut heard = Vec::new();
+        let pass = LightPass::new(
+            &scene,
+            &strategy,
+            &settings(Transport::HybridStored, paths),
+            None,
+            |counts: Counts| heard.push(counts.of(Purpose::Light).traced),
+            |paths| done.borrow_mut().push(paths),
+        );
+        assert!(pass.unwrap().is_some());
+        assert_eq!(done.into_inner(), [65_536, 65_537]);
+        assert_eq!(heard.len(), 65);
+        assert!(heard[..64].iter().all(|&rays| rays == 1024));
+        assert_eq!(heard[64], 1);
+    }
+
+    #[test]
+    fn a_transport_that_follows_no_light_has_no_pass() {
+        let scene = lit_wall();
+        let strategy = Exhaustive::new(&scene);
+        for transport in [Transport::Backward, Transport::HybridLight] {
+            let pass = LightPass::new(
+                &scene,
+                &strategy,
+                &settings(transport, 9),
+                None,
+                |_: Off| {},
+                |_| {},
+            );
+            assert!(pass.unwrap().is_none());
+        }
+    }
+
+    fn pass(scene: &Scene, settings: &Settings, region: Option<Region>) -> LightPass {
+        let strategy = Exhaustive::new(scene);
+        let pass = LightPass::new(scene, &strategy, settings, region, |_: Off| {}, |_| {});
+        pass.unwrap().unwrap()
+    }
+
+    #[test]
+    fn stored_photons_carry_their_share_and_lie_on_the_wall() {
+        let scene = lit_wall();
+        let light = pass(&scene, &settings(Transport::HybridStored, 2000), None);
+        let photons: Vec<_> = light.stored().photons().collect();
+        // half of the directions lead to the wall, which is large: 1000 ± 5·√500, and half of those that it scatters leave
+        assert!((888..=1112).contains(&photons.len()), "{}", photons.len());
+        for photon in &photons {
+            assert_eq!((photon.power, photon.surface), (DVec3::splat(0.006), 1));
+            assert!((photon.point.z + 5.0).abs() <= 1e-12);
+        }
+        // nothing is seen of the paths themselves
+        assert_eq!(light.seen([0, 0]), DVec3::ZERO);
+    }
+
+    #[test]
+    fn the_paths_behind_a_region_are_those_that_its_pixels_saw_or_gathered() {
+        let scene = lit_wall();
+        let strategy = Exhaustive::new(&scene);
+        let whole = Region::whole([1, 1]);
+        // the eye's aperture is as large as a window: many photons come in
+        let mut forward = settings(Transport::Forward, 200);
+        forward.light.aperture = Some(2.0);
+        let light = pass(&scene, &forward, Some(whole));
+        assert_ne!(light.seen([0, 0]), DVec3::ZERO);
+        let tracer = Tracer::new(&scene, &strategy, Transport::Forward).with_light(Some(&light));
+        let behind = paths_behind(&tracer, whole, Through::Centres).unwrap();
+        assert!(!behind.is_empty() && behind.iter().all(|&path| path < 200));
+        assert!(pass(&scene, &forward, None).reached.is_empty());
+
+        let mut stored = settings(Transport::HybridStored, 200);
+        stored.light.nearest = 7;
+        let light = pass(&scene, &stored, Some(whole));
+        let tracer =
+            Tracer::new(&scene, &strategy, Transport::HybridStored).with_light(Some(&light));
+        let behind = paths_behind(&tracer, whole, Through::Centres).unwrap();
+        // each path leaves one photon on the wall
+        assert_eq!(behind.len(), 7);
+
+        let mut connected = settings(Transport::HybridConnected, 0);
+        connected.light.samples = 3;
+        let light = pass(&scene, &connected, Some(whole));
+        let tracer =
+            Tracer::new(&scene, &strategy, Transport::HybridConnected).with_light(Some(&light));
+        let behind = paths_behind(&tracer, whole, Through::Centres).unwrap();
+        assert!(behind.into_iter().eq(0..3));
+        let without = Tracer::new(&scene, &strategy, Transport::HybridConnected);
+        assert!(
+            paths_behind(&without, whole, Through::Centres)
+                .unwrap()
+                .is_empty()
+        );
+    }
+
+    #[test]
+    fn a_path_followed_once_more_notes_the_same_surfaces() {
+        let scene = lit_wall();
+        let strategy = Exhaustive::new(&scene);
+        let light = pass(&scene, &settings(Transport::HybridStored, 50), None);
+        let tracer =
+            Tracer::new(&scene, &strategy, Transport::HybridStored).with_light(Some(&light));
+        let mut stored = 0;
+        for path in 0..50 {
+            let mut counts = Counts::default();
+            tracer.trace_path(path, &mut counts).unwrap();
+            stored += counts.of(Purpose::Light).hits;
+        }
+        assert_eq!(stored as usize, light.stored().photons().count());
+        assert!(0 < stored);
+    }
+}

@@ -195,3 +195,63 @@ impl<W: Write + Send, R: Default + AddAssign> Sink for TileSink<'_, '_, '_, W, R
         self.tile.line(|lines| writer.line(record, lines))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn parts(building: bool, paths: usize) -> Parts {
+        let region = Region {
+            from: [3, 5],
+            to: [6, 6],
+        };
+        Parts {
+            building,
+            paths,
+            region,
+        }
+    }
+
+    #[test]
+    fn a_log_has_the_building_then_the_paths_in_pieces_then_the_pixels_row_by_row() {
+        // 4 × 2 pixels; 2049 paths take three pieces of up to 1024
+        let parts = parts(true, 2049);
+        assert_eq!(
+            (parts.before_pixels(), parts.width(), parts.len()),
+            (4, 4, 12)
+        );
+        assert!(matches!(parts.get(0), Part::Building));
+        let pieces = [1, 2, 3].map(|number| match parts.get(number) {
+            Part::Paths(places) => places,
+            _ => 0..0,
+        });
+        assert_eq!(pieces, [0..1024, 1024..2048, 2048..2049]);
+        let pixels = [4, 7, 8, 11].map(|number| match parts.get(number) {
+            Part::Pixel(pixel) => pixel,
+            _ => [0, 0],
+        });
+        assert_eq!(pixels, [[3, 5], [6, 5], [3, 6], [6, 6]]);
+    }
+
+    #[test]
+    fn without_building_and_paths_the_first_part_is_the_first_pixel() {
+        let none = parts(false, 0);
+        assert_eq!((none.before_pixels(), none.len()), (0, 8));
+        assert!(matches!(none.get(0), Part::Pixel([3, 5])));
+        let paths = parts(false, 1024);
+        assert_eq!(paths.before_pixels(), 1);
+        assert!(matches!(paths.get(0), Part::Paths(places) if places == (0..1024)));
+    }
+
+    #[test]
+    fn logged_paths_are_the_first_or_those_of_a_list() {
+        let numbers = |paths: LoggedPaths| {
+            (0..paths.len())
+                .map(|place| paths.get(place))
+                .collect::<Vec<_>>()
+        };
+        assert!(numbers(LoggedPaths::None).is_empty());
+        assert_eq!(numbers(LoggedPaths::All(3)), [0, 1, 2]);
+        assert_eq!(numbers(LoggedPaths::Some(vec![9, 4])), [9, 4]);
+    }
+}

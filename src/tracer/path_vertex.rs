@@ -79,3 +79,47 @@ impl Watcher for Vertices {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_end_has_no_normal_and_can_be_connected_from_any_side() {
+        let end = Vertex::end(DVec3::X, DVec3::ONE);
+        assert_eq!(end.cosine(DVec3::new(0.6, 0.0, 0.8)), 1.0);
+        assert!(end.can_connect() && !end.is_specular);
+        assert_eq!(end.epsilon, 0.0);
+    }
+
+    #[test]
+    fn a_surface_has_the_cosine_of_its_normal_and_the_density_of_its_brightest_channel() {
+        let surface = Vertex {
+            normal: DVec3::Y,
+            albedo: DVec3::new(0.25, 0.5, 0.0),
+            ..Vertex::end(DVec3::X, DVec3::ONE)
+        };
+        assert_eq!(surface.cosine(DVec3::new(0.6, 0.8, 0.0)), 0.8);
+        assert_eq!(surface.density(), 0.5 / PI);
+        assert!(surface.can_connect());
+        let black = Vertex {
+            albedo: DVec3::ZERO,
+            ..surface
+        };
+        assert!(!black.can_connect());
+    }
+
+    #[test]
+    fn a_vertex_is_specular_if_the_path_goes_on_by_a_mirror_or_through_glass() {
+        let mut vertices = Vertices(vec![Vertex::end(DVec3::X, DVec3::ONE)]);
+        for (fate, is_specular) in [
+            (PhotonFate::Mirrored, true),
+            (PhotonFate::Diffused, false),
+            (PhotonFate::Refracted, true),
+            (PhotonFate::Absorbed, false),
+        ] {
+            vertices.goes_on(fate);
+            assert_eq!(vertices.0[0].is_specular, is_specular, "{fate:?}");
+        }
+    }
+}

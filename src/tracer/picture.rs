@@ -109,3 +109,67 @@ pub fn render<S: Strategy, R: Recorder + Default + Send>(
     };
     Ok((picture, recorders))
 }
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Mutex;
+
+    use super::*;
+    use crate::scene::small_scene::{object, polygon, scene_from};
+    use crate::strategy::Exhaustive;
+    use crate::trace::Off;
+
+    #[test]
+    fn a_channel_is_rounded_to_255_steps_and_cut_to_0_and_1() {
+        let colours = vec![DVec3::new(0.5, 0.2, 2.0), DVec3::new(-1.0, 1.0, 0.001)];
+        let picture = Picture {
+            pixels: [2, 1],
+            colours,
+        };
+        // 127.5, 51 and 0.255
+        assert_eq!(picture.bytes(), [128, 51, 255, 0, 255, 0]);
+    }
+
+    /// 3 × 2 pixels with sides of 1, and a wall that covers the window left of x = 0.25 and below y = 0.75.
+    fn rendered(through: Through) -> (Picture, Vec<usize>) {
+        let corners = [
+            [-50.0, -50.0, -10.0],
+            [2.5, -50.0, -10.0],
+            [2.5, 7.5, -10.0],
+            [-50.0, 7.5, -10.0],
+        ];
+        let scene = scene_from(&format!(
+            r#"{{"camera":{{"window":{{"cop":[0,0,0],"corner":[-1.5,-1,-1],"right":[3,0,0],"up":[0,2,0]}},
+            "pixels":[3,2]}},"ambient":[1,1,1],"materials":{{"m":{{"colour":[1,1,1]}}}},"objects":[{}]}}"#,
+            object("wall", "m", &polygon(&corners))
+        ));
+        let strategy = Exhaustive::new(&scene);
+        let tracer = Tracer::new(&scene, &strategy, Transport::HybridLight);
+        let lines = Mutex::new(Vec::new());
+        let done = |line| lines.lock().unwrap().push(line);
+        let (picture, recorders) = render::<_, Off>(&tracer, through, done).unwrap();
+        let mut lines = lines.into_inner().unwrap();
+        lines.sort_unstable();
+        assert_eq!(recorders.len(), lines.len());
+        (picture, lines)
+    }
+
+    #[test]
+    fn through_the_centres_a_pixel_has_one_eye_ray() {
+        let (picture, lines) = rendered(Through::Centres);
+        assert_eq!(picture.pixels, [3, 2]);
+        // centres at x = −1, 0, 1 and y = ½, −½: the wall covers the first two of both lines
+        let expected = [1.0, 1.0, 0.0, 1.0, 1.0, 0.0].map(DVec3::splat);
+        assert_eq!(picture.colours, expected);
+        assert_eq!(lines, [1, 2]);
+    }
+
+    #[test]
+    fn through_the_corners_a_pixel_is_the_mean_of_the_four_around_it() {
+        let (picture, lines) = rendered(Through::Corners);
+        // corners at x = −1½, −½, ½, 1½ and y = 1, 0, −1: the wall covers the first two columns but for the top line
+        let expected = [0.5, 0.25, 0.0, 1.0, 0.5, 0.0].map(DVec3::splat);
+        assert_eq!(picture.colours, expected);
+        assert_eq!(lines, [1, 2, 3]);
+    }
+}

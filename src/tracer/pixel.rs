@@ -106,3 +106,70 @@ fn seen_pixel<S: Strategy, R: Recorder>(
     });
     light.seen(pixel)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::small_scene::{object, one_pixel, polygon};
+    use crate::strategy::Exhaustive;
+    use crate::trace::{Off, Recording};
+
+    #[test]
+    fn eye_rays_pass_the_centre_of_a_pixel_or_its_four_corners() {
+        let places = |through| {
+            eye_samples([3, 7], through)
+                .map(|p| p.to_array())
+                .collect::<Vec<_>>()
+        };
+        assert_eq!(places(Through::Centres), [[3.5, 7.5]]);
+        let corners = [[3.0, 7.0], [4.0, 7.0], [3.0, 8.0], [4.0, 8.0]];
+        assert_eq!(places(Through::Corners), corners);
+    }
+
+    #[test]
+    fn a_pixel_is_the_mean_of_its_eye_rays() {
+        let colours = [1.0, 2.0, 6.0, 3.0].map(DVec3::splat);
+        assert_eq!(mean(colours.into_iter()), DVec3::splat(3.0));
+        // a wall on the left: of the four corners two see it
+        let left = polygon(&[
+            [-9.0, -9.0, -5.0],
+            [0.5, -9.0, -5.0],
+            [0.5, 9.0, -5.0],
+            [-9.0, 9.0, -5.0],
+        ]);
+        let scene = one_pixel(&format!(
+            r#""ambient":[1,1,1],"materials":{{"m":{{"colour":[0.5,1,3]}}}},"objects":[{}]"#,
+            object("left", "m", &left)
+        ));
+        let strategy = Exhaustive::new(&scene);
+        let tracer = Tracer::new(&scene, &strategy, Transport::HybridLight);
+        let colour = |through| trace_pixel(&tracer, [0, 0], through, &mut Off).unwrap();
+        assert_eq!(colour(Through::Centres), DVec3::new(0.5, 1.0, 3.0));
+        assert_eq!(colour(Through::Corners), DVec3::new(0.25, 0.5, 1.5));
+
+        let mut recording = Recording::new(Vec::new());
+        let _ = trace_pixel(&tracer, [0, 0], Through::Corners, &mut recording);
+        let records = recording.into_sink();
+        let samples: Vec<_> = records
+            .iter()
+            .filter_map(|record| match &record.event {
+                Event::Pixel(sample) => {
+                    Some((sample.sample, sample.samples, sample.point.to_array()))
+                }
+                _ => None,
+            })
+            .collect();
+        let expected = [
+            (0, 4, [-1.0, 1.0, -1.0]),
+            (1, 4, [1.0, 1.0, -1.0]),
+            (2, 4, [-1.0, -1.0, -1.0]),
+            (3, 4, [1.0, -1.0, -1.0]),
+        ];
+        assert_eq!(samples, expected);
+        // what is shown is cut to 0..1
+        let raw = DVec3::new(0.25, 0.5, 1.5);
+        let clamped = DVec3::new(0.25, 0.5, 1.0);
+        let last = records.last().map(|record| record.event);
+        assert_eq!(last, Some(Event::PixelColour(PixelColour { raw, clamped })));
+    }
+}

@@ -57,3 +57,60 @@ pub(super) fn within<'r, R: Recorder, T>(
     }
     Stopped::unless_whole(traced, both.1)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::trace::Off;
+
+    /// Traces so many rays where five are allowed.
+    fn trace(rays: u32) -> Result<u32, Stopped> {
+        within(5, [3, 4], &mut Off, |recorder| {
+            for _ in 0..rays {
+                recorder.next_ray()?;
+            }
+            ControlFlow::Continue(rays)
+        })
+    }
+
+    #[test]
+    fn a_pixel_may_take_as_many_rays_as_the_limit_says_and_not_one_more() {
+        assert_eq!(trace(0), Ok(0));
+        assert_eq!(trace(5), Ok(5));
+        let stopped = Stopped::Rays {
+            pixel: [3, 4],
+            max_rays: 5,
+        };
+        assert_eq!(trace(6), Err(stopped));
+        assert_eq!(stopped.to_string(), "pixel 3,4 takes more than 5 rays");
+    }
+
+    #[test]
+    fn a_limit_of_its_own_is_no_reason_to_stop_for_a_recorder_that_has_enough() {
+        /// Has enough from the start.
+        struct Enough;
+
+        impl Recorder for Enough {
+            const ENABLED: bool = true;
+
+            fn note(&mut self, _: impl FnOnce() -> Event) {}
+
+            fn has_enough(&self) -> bool {
+                true
+            }
+        }
+
+        let traced = within(5, [3, 4], &mut Enough, |recorder| {
+            recorder.next_ray()?;
+            ControlFlow::Continue(())
+        });
+        assert_eq!(traced, Err(Stopped::Recorder));
+        // it has enough of the last ray: all was traced, and nothing is given
+        let traced = within(5, [3, 4], &mut Enough, |_| ControlFlow::Continue(()));
+        assert_eq!(traced, Err(Stopped::Recorder));
+        assert_eq!(
+            Stopped::Recorder.to_string(),
+            "the recorder stopped the trace"
+        );
+    }
+}

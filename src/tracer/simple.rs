@@ -260,3 +260,139 @@ pub trait Parts: Sized {
 pub struct Own;
 
 impl Parts for Own {}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::small_scene::{cube_at, object, one_pixel, polygon, scene_of, sphere, wall};
+
+    const ROUNDED: f64 = 1e-15;
+
+    #[track_caller]
+    fn check(scene: &Scene, expected: [f64; 3]) {
+        let picture = picture(scene, &Own);
+        assert_eq!((picture.pixels, picture.colours.len()), ([1, 1], 1));
+        let off = (picture.colours[0] - DVec3::from(expected))
+            .abs()
+            .max_element();
+        assert!(
+            off <= ROUNDED,
+            "{:?}, expected {expected:?}",
+            picture.colours
+        );
+    }
+
+    #[test]
+    fn the_closest_hit_is_the_smallest_t_and_of_equal_ones_the_first_object_s() {
+        let across = polygon(&[[7.0, -1.0, -1.0], [7.0, 2.0, -1.0], [7.0, -1.0, 2.0]]);
+        let scene = scene_of(&[
+            across,
+            cube_at(9.0),
+            sphere([5.0, 0.25, 0.25], 1.0),
+            sphere([5.0, 0.25, 0.25], 1.0),
+            r#"{"cone":{"base":[14,0.25,0.25],"base_radius":2,"apex":[14,9,0.25],"apex_radius":2}}"#.to_string(),
+            r#"{"ellipsoid":{"center":[30,0.25,0.25],"radii":[8,1,1]}}"#.to_string(),
+        ]);
+        let ray = Ray::new(DVec3::new(0.0, 0.25, 0.25), DVec3::X);
+        let from = |min: f64| {
+            let range = TRange {
+                min,
+                ..TRange::FORWARD
+            };
+            closest(&scene, &Own, &ray, range).map(|hit| (hit.object.0, hit.t))
+        };
+        assert_eq!(from(0.0), Some((2, 4.0)));
+        assert_eq!(from(6.5), Some((0, 7.0)));
+        assert_eq!(from(7.5), Some((1, 9.0)));
+        assert_eq!(from(11.0), Some((4, 12.0)));
+        assert_eq!(from(17.0), Some((5, 22.0)));
+        assert_eq!(from(39.0), None);
+        let is_blocked = |max| blocked(&scene, &Own, &ray, TRange::FORWARD.up_to(max));
+        assert!(is_blocked(4.5) && !is_blocked(3.5));
+        // beside the triangle
+        let beside = Ray::new(DVec3::new(6.5, 1.5, 1.5), DVec3::X);
+        assert_eq!(
+            closest(&scene, &Own, &beside, TRange::FORWARD.up_to(2.0)),
+            None
+        );
+    }
+
+    /// A wall 5 ahead, of colour (1, 0.5, 0) and diffuse ½, and a light at (0, 3, −1): 5 away at a cosine of 0.8.
+    fn lit(more: &str, light: [f64; 3]) -> Scene {
+        one_pixel(&format!(
+            r#""ambient":[0.1,0.1,0.1],"materials":{{"m":{{"colour":[1,0.5,0],"diffuse":0.5}}}},
+            "lights":[{{"position":{light:?},"colour":[1,1,2]}}],"objects":[{}{more}]"#,
+            object("wall", "m", &wall(-5.0))
+        ))
+    }
+
+    #[test]
+    fn a_light_adds_its_terms_where_nothing_stands_between() {
+        let lamp = [0.0, 3.0, -1.0];
+        check(&lit("", lamp), [0.5, 0.25, 0.0]);
+        let ball = |center| format!(",{}", object("ball", "m", &sphere(center, 0.5)));
+        check(&lit(&ball([0.0, 1.5, -3.0]), lamp), [0.1, 0.05, 0.0]);
+        check(&lit(&ball([0.0, 4.5, 1.0]), lamp), [0.5, 0.25, 0.0]);
+        // a surface through the light does not block it; a light behind the wall or in it adds nothing
+        let pane = polygon(&[
+            [-1.0, 3.0, -2.0],
+            [1.0, 3.0, -2.0],
+            [1.0, 3.0, 0.0],
+            [-1.0, 3.0, 0.0],
+        ]);
+        check(
+            &lit(&format!(",{}", object("pane", "m", &pane)), lamp),
+            [0.5, 0.25, 0.0],
+        );
+        check(&lit("", [0.0, 3.0, -9.0]), [0.1, 0.05, 0.0]);
+        check(&lit("", [4.0, 3.0, -5.0]), [0.1, 0.05, 0.0]);
+    }
+
+    #[test]
+    fn spawned_rays_count_with_their_weights_up_to_the_depth_limit() {
+        let scene = |depth: u32| {
+            one_pixel(&format!(
+                r#""ambient":[1,1,1],"max_depth":{depth},"materials":{{"m":{{"colour":[1,1,1],"reflection":0.5}}}},
+                "objects":[{},{}]"#,
+                object("ahead", "m", &wall(-5.0)),
+                object("behind", "m", &wall(5.0))
+            ))
+        };
+        check(&scene(1), [1.0; 3]);
+        check(&scene(3), [1.75; 3]);
+        let pane = one_pixel(&format!(
+            r#""ambient":[0.1,0.2,0.3],"background":[0.4,0.8,0.2],
+            "materials":{{"glass":{{"colour":[1,0.5,1],"reflection":0.25,"transmission":0.5}}}},"objects":[{}]"#,
+            object("pane", "glass", &wall(-5.0))
+        ));
+        check(&pane, [0.4, 0.7, 0.45]);
+    }
+
+    #[test]
+    fn where_no_ray_can_pass_the_reflected_one_has_the_weight_of_both() {
+        // the back of a pane at 45°, which mirrors the ray along −x: there a wall with an ambient light of 0.1
+        let scene = |index: f64| {
+            let pane = [
+                [-2.0, 9.0, -7.0],
+                [2.0, 9.0, -3.0],
+                [2.0, -9.0, -3.0],
+                [-2.0, -9.0, -7.0],
+            ];
+            let beside = [
+                [-9.0, -9.0, -9.0],
+                [-9.0, -9.0, 9.0],
+                [-9.0, 9.0, 9.0],
+                [-9.0, 9.0, -9.0],
+            ];
+            one_pixel(&format!(
+                r#""ambient":[0.1,0.1,0.1],"background":[0.8,0.8,0.8],"materials":{{"white":{{"colour":[1,1,1]}},
+                "glass":{{"colour":[0,0,0],"reflection":0.25,"transmission":0.5,"index":{index}}}}},
+                "objects":[{},{}]"#,
+                object("pane", "glass", &polygon(&pane)),
+                object("beside", "white", &polygon(&beside))
+            ))
+        };
+        check(&scene(1.2), [0.425; 3]);
+        check(&scene(2.0), [0.075; 3]);
+    }
+}

@@ -113,3 +113,87 @@ impl Surface<'_> {
         refraction
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::small_scene::{object, one_pixel, sphere};
+
+    /// A sphere of radius 2 around (0, 0, −10), of glass.
+    fn glass_ball() -> Scene {
+        one_pixel(&format!(
+            r#""materials":{{"glass":{{"colour":[0.5,1,0.25],"diffuse":0.5,"transmission":0.5,"index":1.5}}}},
+            "objects":[{}]"#,
+            object("ball", "glass", &sphere([0.0, 0.0, -10.0], 2.0))
+        ))
+    }
+
+    fn surface(scene: &Scene, origin: f64, t: f64, shading: DVec3) -> Surface<'_> {
+        let ray = Ray::new(DVec3::new(0.0, 0.0, origin), -DVec3::Z);
+        let hit = Hit {
+            object: PrimitiveId(0),
+            t,
+        };
+        let geometric = scene
+            .primitive(hit.object)
+            .shape
+            .normals(ray.at(t))
+            .geometric;
+        Surface::new(scene, &ray, 3, hit, Normals { geometric, shading })
+    }
+
+    #[test]
+    fn from_outside_the_normal_is_that_of_the_surface_and_light_comes_from_the_air() {
+        let scene = glass_ball();
+        let found = surface(&scene, 0.0, 8.0, DVec3::Z);
+        assert_eq!(
+            (found.point, found.normal),
+            (DVec3::new(0.0, 0.0, -8.0), DVec3::Z)
+        );
+        assert_eq!((found.across, found.back), (DVec3::Z, false));
+        assert_eq!(found.indices(), [1.0, 1.5]);
+        assert_eq!(found.albedo(), DVec3::new(0.25, 0.5, 0.125));
+        // a billionth of the coordinate and of t, both 8
+        assert!((found.epsilon - 8e-9).abs() <= 1e-23);
+    }
+
+    #[test]
+    fn from_inside_both_normals_are_turned_and_light_comes_from_the_glass() {
+        let scene = glass_ball();
+        let found = surface(&scene, -9.0, 3.0, -DVec3::Z);
+        assert_eq!(
+            (found.point, found.normal),
+            (DVec3::new(0.0, 0.0, -12.0), DVec3::Z)
+        );
+        assert_eq!((found.across, found.back), (DVec3::Z, true));
+        assert_eq!(found.indices(), [1.5, 1.0]);
+    }
+
+    #[test]
+    fn a_smooth_normal_is_taken_unless_it_leans_away_from_the_viewer() {
+        let scene = glass_ball();
+        let leaning = DVec3::new(0.6, 0.0, 0.8);
+        let found = surface(&scene, 0.0, 8.0, leaning);
+        assert_eq!((found.normal, found.across), (leaning, DVec3::Z));
+        for away in [DVec3::new(0.6, 0.0, -0.8), DVec3::X] {
+            assert_eq!(surface(&scene, 0.0, 8.0, away).normal, DVec3::Z);
+        }
+    }
+
+    #[test]
+    fn a_ray_that_is_sent_on_starts_at_the_point_one_deeper() {
+        let scene = glass_ball();
+        let found = surface(&scene, 0.0, 8.0, DVec3::Z);
+        let start = found.sends(DVec3::Y, Purpose::Reflected);
+        assert_eq!(
+            (start.ray.origin, start.ray.direction),
+            (found.point, DVec3::Y)
+        );
+        assert_eq!((start.depth, start.purpose), (4, Purpose::Reflected));
+        assert_eq!(
+            (start.range.min, start.range.max),
+            (found.epsilon, f64::INFINITY)
+        );
+        assert_eq!((start.window_t, start.light), (None, None));
+    }
+}
