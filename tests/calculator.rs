@@ -241,9 +241,15 @@ fn check_within([left, right]: [Value; 2], of_terms: f64, line: &str) {
     }
 }
 
+/// A line as a keyboard has its signs.
+fn typed(line: &str) -> String {
+    line.replace('−', "-").replace('′', "'")
+}
+
 /// How many equations of a line were computed again: between numbers, and between vectors.
 #[track_caller]
 pub(crate) fn check_line(line: &str) -> [usize; 2] {
+    let line = &typed(line);
     let mut checked = [0; 2];
     let parts: Vec<_> = line.split(" = ").collect();
     for pair in parts.windows(2) {
@@ -289,7 +295,7 @@ pub(crate) fn check_line(line: &str) -> [usize; 2] {
 }
 
 /// Lines with an equals sign that there is nothing to compute in, by what they hold, and why.
-const NOT_COMPUTED: [(&str, &str); 34] = [
+const NOT_COMPUTED: [(&str, &str); 35] = [
     ("… (i)", "equation (i) itself, with the ray's numbers"),
     ("… (iii)", "equation (iii) itself"),
     ("… (iv)", "equation (iv) itself, with the plane's numbers"),
@@ -300,11 +306,11 @@ const NOT_COMPUTED: [(&str, &str); 34] = [
     ("Δ: Δ·w = ", "Δ and w are on other lines"),
     ("p = o + t·Δ = ", "o, t and Δ are on other lines"),
     (
-        " lies on the z axis; z is dropped",
+        ", on the z axis",
         "the z of p is t, which is on another line",
     ),
     (
-        "The ray becomes the z axis: p' = ",
+        "in which the ray is the z axis: p' = ",
         "what the frame does to any p",
     ),
     ("o = (", "the ray, as it is"),
@@ -317,9 +323,9 @@ const NOT_COMPUTED: [(&str, &str); 34] = [
     ("Δ = (P - COP)/", "P - COP is on the line above"),
     ("Δ = T = ", "T is in the refraction"),
     ("Δ = (x - x')/|x - x'| = ", "x and x' are on other lines"),
-    ("a direction of chance", "a random direction"),
+    (": a random direction", "a random direction"),
     (
-        "Chance decides: ξ = ",
+        "Russian roulette: ξ = ",
         "a random number, or no number at all",
     ),
     (
@@ -328,7 +334,10 @@ const NOT_COMPUTED: [(&str, &str); 34] = [
     ),
     ("N = (A, B, C) = ", "the plane's normal, which is in (iv)"),
     ("N = -(A, B, C) = ", "the plane's normal, which is in (iv)"),
-    ("N = normal of the box = ", "the face's normal, in words"),
+    (
+        "N = normal of the face where ",
+        "the face's normal, in words",
+    ),
     (
         "N = (m⊥/|m⊥| - k·w), normalised",
         "m⊥ and w are on other lines",
@@ -340,25 +349,25 @@ const NOT_COMPUTED: [(&str, &str); 34] = [
     ("cos θ = 1", "the end of a line that has no normal"),
     ("cos θ' = 1", "the end of a line that has no normal"),
     ("I = gathered = ", "a sum of one term"),
+    (": p is in a cell of the surface's map", "the cell's area"),
+    ("and c = ", "c, which is not 0"),
     (
-        " = 0 has no solution for any t",
-        "c and 0, which are not equal",
-    ),
-    (
-        " beside the COP, and R = ",
+        " from the COP; the aperture has R = ",
         "the COP is in the scene, and R is given",
     ),
 ];
 
 /// More of them, which begin with these words or hold them alone.
-const NO_TERMS: [(&str, &str); 6] = [
-    ("r = ", "the distance of the last photon"),
-    ("p lies in a cell of the surface's map", "the cell's area"),
-    ("no light is stored here", "nothing is gathered"),
-    ("w = 1: no other edge", "a single share"),
-    ("→ V = 0, since", "the line is blocked"),
+const NO_TERMS: [(&str, &str); 5] = [
+    ("area: a disc with r = ", "the distance of the last photon"),
     (
-        "N = -(m⊥/|m⊥| - k·w), normalised",
+        "irradiance: no photon is stored here",
+        "nothing is gathered",
+    ),
+    ("w = 1: no other edge", "a single share"),
+    ("→ contribution: none, V = 0", "the line is blocked"),
+    (
+        "normal: N = -(m⊥/|m⊥| - k·w), normalised",
         "m⊥ and w are on other lines",
     ),
 ];
@@ -377,6 +386,96 @@ fn why_not_computed(line: &str) -> Option<&'static str> {
         .all(is_t)
         .then_some("a t that was found above");
     named.or(begins).map(|(_, why)| *why).or(of_t)
+}
+
+/// What a text says of a polygon, up to its p′.
+#[derive(Debug, Default)]
+struct Outline {
+    /// A, B and C.
+    plane: Option<[f64; 3]>,
+    /// p.
+    point: Option<[f64; 3]>,
+    /// Which coordinate is dropped.
+    dropped: Option<usize>,
+}
+
+impl Outline {
+    /// Checks that the axis is that of the largest coefficient, and that p′ is p without its coordinate. Returns how
+    /// many of the two the line has.
+    #[track_caller]
+    fn check(&mut self, line: &str) -> usize {
+        let line = line.trim_start();
+        if let Some(equation) = line.strip_prefix("plane: ") {
+            *self = Self::default();
+            self.plane = Some(coefficients(equation));
+        } else if line.starts_with("p = ") {
+            let right = line.rsplit(" = ").next();
+            self.point = right.and_then(at_start).map(|point| point.parts);
+        } else if let Some(words) = line.strip_prefix("axis: ") {
+            let letter = words
+                .split(", so ")
+                .nth(1)
+                .or(words.strip_prefix("z, ").map(|_| "z"));
+            let letter = letter.and_then(|word| word.chars().next()).unwrap();
+            let dropped = "xyz".find(letter).unwrap();
+            self.dropped = Some(dropped);
+            // along the z axis the coefficients are those of the scene's frame
+            let Some((_, value)) = words.split_once("| = ") else {
+                return 1;
+            };
+            let size = at_start_of(value);
+            let plane = self.plane.unwrap().map(f64::abs);
+            assert!(
+                words.starts_with(&format!("|{}|", &"ABC"[dropped..=dropped])),
+                "{line}"
+            );
+            for coefficient in plane {
+                assert!(coefficient <= size * (1.0 + PRINTED), "{plane:?} {line}");
+            }
+            assert!(
+                (plane[dropped] - size).abs() <= PRINTED * size,
+                "{plane:?} {line}"
+            );
+            return 1;
+        } else if let Some(point) = line.strip_prefix("p' = (") {
+            let (of, dropped) = (self.point.unwrap(), self.dropped.unwrap());
+            let numbers: Vec<f64> = point
+                .trim_end_matches(')')
+                .split(", ")
+                .map(|number| number.parse().unwrap())
+                .collect();
+            let kept: Vec<f64> = (0..3).filter(|&i| i != dropped).map(|i| of[i]).collect();
+            assert_eq!(numbers, kept, "{line}");
+            return 1;
+        }
+        0
+    }
+}
+
+/// A, B and C of `0.5·x - y + 0·z + 2 = 0 … (iv)`.
+#[track_caller]
+fn coefficients(equation: &str) -> [f64; 3] {
+    let mut rest = equation;
+    ["x", "y", "z"].map(|letter| {
+        let (term, after) = rest.split_once(letter).unwrap();
+        rest = after.trim_start();
+        let term = term
+            .trim_end_matches('·')
+            .replace("- ", "-")
+            .replace("+ ", "");
+        match term.as_str() {
+            "" => 1.0,
+            "-" => -1.0,
+            number => number.parse().unwrap(),
+        }
+    })
+}
+
+/// The number that a text begins with.
+#[track_caller]
+fn at_start_of(text: &str) -> f64 {
+    let number = text.split([' ', ',']).next().unwrap();
+    number.parse().unwrap()
 }
 
 /// The lines of a text, those that go on an equation of the line above joined to it.
@@ -431,8 +530,10 @@ fn check_with(settings: &Settings, scene: &str, pixel: [u32; 2], at_least: [usiz
 fn check_text(text: &str, at_least: [usize; 2]) {
     let mut sum = [0; 2];
     let mut left_out = Vec::new();
-    for line in whole_lines(text) {
-        let checked = check_line(&line);
+    let mut outline = Outline::default();
+    for line in whole_lines(&typed(text)) {
+        let mut checked = check_line(&line);
+        checked[0] += outline.check(&line);
         sum = [sum[0] + checked[0], sum[1] + checked[1]];
         if checked == [0; 2] && line.contains(" = ") && why_not_computed(&line).is_none() {
             left_out.push(line);
@@ -488,6 +589,28 @@ fn a_wrong_vector_is_noticed() {
 #[should_panic(expected = "in: t = (-b ± √4)/2a = (6 ± 2)/4 = 1 and 3")]
 fn a_wrong_root_is_noticed() {
     check_line("t = (-b ± √4)/2a = (6 ± 2)/4 = 1 and 3");
+}
+
+#[test]
+fn the_axis_and_the_point_without_its_coordinate_are_checked() {
+    let lines = "plane: 0.6·x − y + 0·z + 2 = 0 … (iv)\n\
+                 p = o + t·Δ = (1, 2.6, 5)\n\
+                 axis: |B| = 1 is the largest coefficient, so y is dropped\n\
+                 p′ = (1, 5)";
+    check_text(lines, [2, 0]);
+    let wrong = |from, to| {
+        let text = lines.replace(from, to);
+        std::panic::catch_unwind(|| check_text(&text, [2, 0])).is_err()
+    };
+    assert!(!wrong("2.6", "2.7"));
+    assert!(wrong("p′ = (1, 5)", "p′ = (2.6, 5)"));
+    assert!(wrong("p′ = (1, 5)", "p′ = (1, 6)"));
+    // x has not the largest coefficient, and B is not 2
+    assert!(wrong(
+        "|B| = 1 is the largest coefficient, so y",
+        "|A| = 0.6 is the largest coefficient, so x"
+    ));
+    assert!(wrong("|B| = 1", "|B| = 2"));
 }
 
 #[test]
@@ -558,12 +681,12 @@ fn a_cone_along_its_generator_can_be_computed_again() {
         (
             [0, 0, 1],
             [-3, 4, 1],
-            "a = 0: b·t + c = 0, t = -c/b = 8/3.6 = 2.22222",
+            "a = 0 leaves b·t + c = 0, one root t = −c/b = 8/3.6 = 2.22222",
         ),
         (
             [3, 0, 7],
             [0, 4, 7],
-            "a = 0 and b = 0: 49 = 0 has no solution for any t",
+            "none, since a = 0 and b = 0, and c = 49 is not 0",
         ),
     ] {
         let text = format!(

@@ -82,32 +82,33 @@ fn the_eye_ray_is_worked_out_as_on_paper() {
         &solution(&WorkedOptions::default()),
         &[
             "Pixel (0, 0) of \"on paper\"",
-            "P = corner + 0.5/1·right + (1 - 0.5/1)·up",
-            "= (-1, -1, 1) + 0.5·(2, 0, 0) + 0.5·(0, 2, 0)",
+            "P = corner + 0.5/1·right + (1 − 0.5/1)·up",
+            "= (−1, −1, 1) + 0.5·(2, 0, 0) + 0.5·(0, 2, 0)",
             "= (0, 0, 1)",
-            "Ray 0: from the eye, depth 1",
-            "P - COP = (0, 0, 1), of length 1",
-            "(x, y, z) = (0, 0, 0) + t·(0, 0, 1) … (i), for t > 0",
+            "Ray 0: eye ray, depth 1",
+            "direction: P − COP = (0, 0, 1), of length 1",
+            "ray: (x, y, z) = (0, 0, 0) + t·(0, 0, 1) … (i), for t > 0",
             "M: sphere, center (0, 0, 5), radius 1",
-            "o - center = (0, 0, -5)",
+            "frame: o − center = (0, 0, −5)",
+            "a, b, c of a·t² + b·t + c = 0 … (iii)",
             "a = Δ·Δ = 0² + 0² + 1² = 1",
-            "b = 2·Δ·(o - center) = 2·[0·0 + 0·0 + 1·(-5)] = -10",
-            "c = |o - center|² - r² = 0² + 0² + (-5)² - 1² = 24",
-            "b² - 4ac = 100 - 96 = 4 > 0: two real roots",
-            "t = (-b ± √4)/2a = (10 ± 2)/2 = 4 and 6",
-            "t = 4 is the smallest that counts: a hit; t = 6 lies beyond it",
-            "→ the nearest hit so far",
-            "ball: sphere, center (0, 0, -4), radius 2",
-            "1·t² + 8·t + 12 = 0: b² - 4ac = 64 - 48 = 16; t = -6 lies behind the origin; t = -2 lies \
-             behind the origin",
-            "1·x + 0·y + 0·z - 3 = 0 … (iv)",
-            "the denominator of (v) is 0: the ray is parallel to the plane, no intersection",
+            "b = 2·Δ·(o − center) = 2·[0·0 + 0·0 + 1·(−5)] = −10",
+            "c = |o − center|² − r² = 0² + 0² + (−5)² − 1² = 24",
+            "discriminant: b² − 4ac = 100 − 96 = 4 > 0: two real roots",
+            "roots: t = (−b ± √4)/2a = (10 ± 2)/2 = 4 and 6",
+            "root that counts: t = 4, the smallest that counts: a hit; t = 6 lies beyond it",
+            "→ nearest hit so far",
+            "ball: sphere, center (0, 0, −4), radius 2",
+            "discriminant of t² + 8·t + 12 = 0: b² − 4ac = 64 − 48 = 16",
+            "root that counts: none, t = −6 lies behind the origin; t = −2 lies behind the origin: missed",
+            "plane: x + 0·y + 0·z − 3 = 0 … (iv)",
+            "t: none, the denominator of (v) is 0: the ray is parallel to the plane, missed",
             "far: sphere, center (0, 3, 5), radius 1",
-            "1·t² - 10·t + 33 = 0: b² - 4ac = 100 - 132 = -32 < 0, no real root: missed",
-            "→ The ray meets M at t = 4",
+            "discriminant of t² − 10·t + 33 = 0: b² − 4ac = 100 − 132 = −32 < 0, no real root: missed",
+            "→ point: the ray hits M at t = 4",
             "p = o + t·Δ = (0, 0, 4)",
-            "N = (p - center)/r = [(0, 0, 4) - (0, 0, 5)]/1 = (0, 0, -1)",
-            "ε of the rays sent on from here = 1e-9·max(|x|, |y|, |z|, t) = 1e-9·4 = 4e-9",
+            "normal: N = (p − center)/r = [(0, 0, 4) − (0, 0, 5)]/1 = (0, 0, −1)",
+            "ε of the rays spawned here = 1e-9·max(|x|, |y|, |z|, t) = 1e-9·4 = 4e-9",
         ],
     );
 }
@@ -117,34 +118,34 @@ fn the_shade_is_worked_out_as_on_paper() {
     check(
         &solution(&WorkedOptions::default()),
         &[
-            "Ray 1: to the light lamp, sent on from ray 0, depth 2",
-            "→ nothing in between: the light is visible",
-            "Light lamp: visible",
-            "L = (light - p)/|light - p| = [(0, 0, 0) - (0, 0, 4)]/4 = (0, 0, -1)",
-            "N·L = 0·0 + 0·0 + (-1)·(-1) = 1",
+            r#"Ray 1: shadow ray to light "lamp", spawned by ray 0, depth 2"#,
+            "→ visibility: no object is in between, so the light is visible",
+            r#"visibility of light "lamp": visible"#,
+            "L = (light − p)/|light − p| = [(0, 0, 0) − (0, 0, 4)]/4 = (0, 0, −1)",
+            "N·L = 0·0 + 0·0 + (−1)·(−1) = 1",
             "diffuse: light·colour·diffuse·(N·L) = (1, 1, 1)·(0.5, 0.5, 0)·0.5·1 = (0.25, 0.25, 0)",
-            "R = 2(N·L)N - L = (0, 0, -1), V = -Δ = (0, 0, -1)",
-            "R·V = 0·0 + 0·0 + (-1)·(-1) = 1",
-            "specular: light·specular·max(0, R·V)^shininess = (1, 1, 1)·0.25·1^3 = (0.25, 0.25, 0.25)",
-            "Ambient: (0.5, 0.5, 0.5)·(0.5, 0.5, 0) = (0.25, 0.25, 0)",
-            "Sum over the visible lights: (0.5, 0.5, 0.25)",
-            "Ray 2: reflected, sent on from ray 0, depth 2",
-            "Δ = Δ' - 2(Δ'·N)N = (0, 0, 1) - 2·(-1)·(0, 0, -1) = (0, 0, -1), with Δ' the direction of the \
-             ray that was sent on",
-            "→ The ray meets ball at t = 6",
+            "specular: R = 2(N·L)N − L = (0, 0, −1), V = −Δ = (0, 0, −1)",
+            "R·V = 0·0 + 0·0 + (−1)·(−1) = 1",
+            "light·specular·max(0, R·V)^shininess = (1, 1, 1)·0.25·1^3 = (0.25, 0.25, 0.25)",
+            "ambient: (0.5, 0.5, 0.5)·(0.5, 0.5, 0) = (0.25, 0.25, 0)",
+            "sum over the visible lights: (0.5, 0.5, 0.25)",
+            "Ray 2: reflected ray, spawned by ray 0, depth 2",
+            "direction: Δ = Δ′ − 2(Δ′·N)N = (0, 0, 1) − 2·(−1)·(0, 0, −1) = (0, 0, −1), with Δ′ the direction of the \
+             incoming ray",
+            "→ point: the ray hits ball at t = 6",
             // the ball is dull, and the lamp reaches it: ½·(1, 0, 0) of ambient light is all
-            "I = ambient + lights = (0.5, 0, 0) + (0, 0, 0) = (0.5, 0, 0)",
-            "I = ambient + lights + reflection·I_reflected = (0.25, 0.25, 0) + (0.5, 0.5, 0.25) + \
+            "colour of the ray: I = ambient + lights = (0.5, 0, 0) + (0, 0, 0) = (0.5, 0, 0)",
+            "colour of the ray: I = ambient + lights + reflection·I_reflected = (0.25, 0.25, 0) + (0.5, 0.5, 0.25) + \
              0.5·(0.5, 0, 0) = (1, 0.75, 0.25)",
-            "The pixel's colour",
-            "what the eye ray brings back: (1, 0.75, 0.25)",
-            "in the picture, times 255: (255, 191, 64)",
+            "Colour of the pixel",
+            "from the eye ray: (1, 0.75, 0.25)",
+            "times 255, in the picture: (255, 191, 64)",
         ],
     );
 }
 
 #[test]
-fn a_ray_stands_indented_below_the_one_it_was_sent_on_from() {
+fn a_ray_is_indented_below_the_one_that_spawned_it() {
     let text = solution(&WorkedOptions::default());
     let indent = |start: &str| {
         let line = text.lines().find(|l| l.trim_start().starts_with(start));
@@ -164,13 +165,19 @@ fn only_some_kinds_are_shown_where_that_is_asked_for() {
         ..WorkedOptions::default()
     });
     assert!(text.contains("… (iv)"));
-    for other in ["sphere", "Light", "P = corner", "pixel's colour", "nearest"] {
+    for other in [
+        "sphere",
+        "visibility",
+        "P = corner",
+        "of the pixel",
+        "nearest",
+    ] {
         assert!(!text.contains(other), "{other} in\n{text}");
     }
 }
 
 #[test]
-fn one_ray_alone_names_the_rays_sent_on_from_it() {
+fn one_ray_alone_names_the_rays_that_it_spawned() {
     let text = solution(&WorkedOptions {
         ray: Some(0),
         ..WorkedOptions::default()
@@ -178,7 +185,7 @@ fn one_ray_alone_names_the_rays_sent_on_from_it() {
     assert!(text.contains("Ray 0:"));
     check(
         &text,
-        &["Ray 2: reflected, sent on from ray 0, depth 2: meets ball at t = 6"],
+        &["Ray 2: reflected ray, spawned by ray 0, depth 2: the ray hits ball at t = 6"],
     );
 }
 
@@ -195,7 +202,7 @@ fn a_solution_of_a_filtered_trace_says_what_is_there() {
     };
     let text = worked_text(&scene, &settings, &kept, &WorkedOptions::default());
     assert!(text.contains("the log holds only: sphere_test"), "{text}");
-    assert!(text.contains("b² - 4ac = 100 - 96 = 4"), "{text}");
+    assert!(text.contains("b² − 4ac = 100 − 96 = 4"), "{text}");
 }
 
 #[test]

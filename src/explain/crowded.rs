@@ -7,7 +7,7 @@ use std::fmt;
 
 use serde_json::{Value, json};
 
-use crate::explain::grouped;
+use crate::explain::{cell_name, grouped};
 use crate::structure::Grid;
 
 /// The fullest cell of a grid, where it lists most objects of the scene.
@@ -45,11 +45,11 @@ impl CrowdedCell {
 impl fmt::Display for CrowdedCell {
     /// What is wrong, and what helps.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let [i, j, k] = self.cell;
         write!(
             f,
-            "the grid is crowded: cell ({i}, {j}, {k}) lists {} of the {} objects, and each ray through it is tested \
-             against all of these; the hierarchy adapts to such a scene, a grid needs many more cells",
+            "the grid is crowded: cell {} lists {} of the {} objects, and each ray through it is tested against all \
+             of these; the hierarchy adapts to such a scene, a grid needs many more cells",
+            cell_name(self.cell),
             grouped(self.listed as u64),
             grouped(self.objects as u64)
         )

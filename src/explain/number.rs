@@ -9,6 +9,9 @@ use glam::{DVec2, DVec3};
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Digits(u32);
 
+/// The sign of a negative number in what people read; the hyphen of a keyboard is shorter.
+pub(crate) const MINUS: char = '−';
+
 impl Digits {
     /// What is shown where nothing cancels.
     pub(super) const USUAL: Self = Self(6);
@@ -34,8 +37,19 @@ impl Digits {
         Self(self.0.max(other.0))
     }
 
-    /// A number, without zeros at its end; in powers of ten if it is very large or very small.
+    /// A number, without zeros at its end and with a minus sign (U+2212); in powers of ten if it is very large or very
+    /// small.
     pub(super) fn number(self, x: f64) -> String {
+        let size = self.size(x.abs());
+        if x < 0.0 {
+            format!("{MINUS}{size}")
+        } else {
+            size
+        }
+    }
+
+    /// A number that is not negative.
+    fn size(self, x: f64) -> String {
         if x == 0.0 {
             return "0".into();
         }
@@ -57,7 +71,7 @@ impl Digits {
     /// A number as a factor or a base: in brackets if it is negative.
     pub(super) fn factor(self, x: f64) -> String {
         let number = self.number(x);
-        if number.starts_with('-') {
+        if number.starts_with(MINUS) {
             format!("({number})")
         } else {
             number
@@ -73,12 +87,30 @@ impl Digits {
         }
     }
 
-    /// A number with its sign as a further term: `+ 3` or `- 3`.
+    /// A number with its sign as a further term: `+ 3` or `− 3`.
     pub(super) fn term(self, x: f64) -> String {
         let number = self.number(x);
-        match number.strip_prefix('-') {
-            Some(positive) => format!("- {positive}"),
+        match number.strip_prefix(MINUS) {
+            Some(positive) => format!("{MINUS} {positive}"),
             None => format!("+ {number}"),
+        }
+    }
+
+    /// A coefficient with its variable: `2·t`, or `t` alone if it is 1.
+    pub(super) fn times(self, x: f64, variable: &str) -> String {
+        match self.number(x).as_str() {
+            "1" => variable.into(),
+            "−1" => format!("{MINUS}{variable}"),
+            number => format!("{number}·{variable}"),
+        }
+    }
+
+    /// The same as a further term: `+ 2·t` or `− t`.
+    pub(super) fn term_times(self, x: f64, variable: &str) -> String {
+        let product = self.times(x, variable);
+        match product.strip_prefix(MINUS) {
+            Some(positive) => format!("{MINUS} {positive}"),
+            None => format!("+ {product}"),
         }
     }
 
@@ -94,13 +126,13 @@ impl Digits {
         format!("({x}, {y})")
     }
 
-    /// v·w, written out: `1·2 + 3·(-4) + 5·6`.
+    /// v·w, written out: `1·2 + 3·(−4) + 5·6`.
     pub(super) fn dot(self, v: DVec3, w: DVec3) -> String {
         let [v, w] = [v, w].map(|v| v.to_array().map(|value| self.factor(value)));
         format!("{}·{} + {}·{} + {}·{}", v[0], w[0], v[1], w[1], v[2], w[2])
     }
 
-    /// |v|², written out: `1² + (-2)² + 3²`.
+    /// |v|², written out: `1² + (−2)² + 3²`.
     pub(super) fn squares(self, v: DVec3) -> String {
         let [x, y, z] = v.to_array().map(|value| self.factor(value));
         format!("{x}² + {y}² + {z}²")
@@ -110,6 +142,11 @@ impl Digits {
 /// A number with so many digits, as a figure has room for.
 pub(crate) fn shown(x: f64, digits: u32) -> String {
     Digits(digits).number(x)
+}
+
+/// A cell of a grid as the log, the worked text and the figures name it: `[3, 1, 0]`.
+pub(crate) fn cell_name([i, j, k]: [u32; 3]) -> String {
+    format!("[{i}, {j}, {k}]")
 }
 
 /// A count with its digits in groups of three, as in 104 857 600.
@@ -159,14 +196,14 @@ mod tests {
             (0.0, "0"),
             (-0.0, "0"),
             (1.0, "1"),
-            (-12.5, "-12.5"),
+            (-12.5, "−12.5"),
             (1.0 / 3.0, "0.333333"),
             (9.999_999_6, "10"),
             (123_456.7, "123457"),
             (1_234_567.0, "1234570"),
             (2e-5, "0.00002"),
             (1.5e-9, "1.5e-9"),
-            (-6.02e23, "-6.02e23"),
+            (-6.02e23, "−6.02e23"),
         ] {
             assert_eq!(Digits::USUAL.number(x), text);
         }
@@ -187,11 +224,16 @@ mod tests {
 
     #[test]
     fn factors_and_terms_carry_their_sign() {
-        assert_eq!(Digits::USUAL.factor(-2.0), "(-2)");
-        assert_eq!(Digits::USUAL.term(-2.0), "- 2");
+        assert_eq!(Digits::USUAL.factor(-2.0), "(−2)");
+        assert_eq!(Digits::USUAL.term(-2.0), "− 2");
+        // a coefficient of 1 is not written
+        assert_eq!(Digits::USUAL.times(1.0, "t²"), "t²");
+        assert_eq!(Digits::USUAL.times(-1.0, "x"), "−x");
+        assert_eq!(Digits::USUAL.term_times(1.0, "t"), "+ t");
+        assert_eq!(Digits::USUAL.term_times(-2.5, "t"), "− 2.5·t");
         assert_eq!(Digits::USUAL.term(2.0), "+ 2");
         let v = DVec3::new(1.0, -2.0, 0.0);
-        assert_eq!(Digits::USUAL.dot(v, v), "1·1 + (-2)·(-2) + 0·0");
-        assert_eq!(Digits::USUAL.squares(v), "1² + (-2)² + 0²");
+        assert_eq!(Digits::USUAL.dot(v, v), "1·1 + (−2)·(−2) + 0·0");
+        assert_eq!(Digits::USUAL.squares(v), "1² + (−2)² + 0²");
     }
 }

@@ -1,7 +1,7 @@
 //! The named parts of each derivation: one table.
 //!
-//! The lines of a worked solution say which part they are, and the same names stand in figures, exercises and the
-//! messages of a check.
+//! A line of a worked solution says which part it is, and the first line of a part begins with the name that stands
+//! here. Figures, exercises and the messages of a check use the same names.
 
 use std::fmt;
 
@@ -25,7 +25,8 @@ macro_rules! parts {
                 }
             }
 
-            /// The short name that people read, as it stands within a sentence.
+            /// The short name that people read, with which the part begins in a text: a word, or the symbols that it
+            /// computes.
             pub const fn name(self) -> &'static str {
                 match self {
                     $(Self::$part => $name,)+
@@ -46,7 +47,7 @@ parts! {
     /// The steps that put the objects into a structure before the first ray.
     Building = "building", "building";
 
-    /// The point of the window that the pixel's ray passes: P = corner + (x/width)·right + (1 − y/height)·up.
+    /// The point at which the pixel's ray passes the window: P = corner + (x/width)·right + (1 − y/height)·up.
     WindowPoint = "window-point", "window point";
     /// The unit vector Δ along the ray, and where it comes from.
     Direction = "direction", "direction";
@@ -59,7 +60,7 @@ parts! {
     Coefficients = "coefficients", "a, b, c";
     /// b² − 4ac: its sign says whether there are two roots, one or none.
     Discriminant = "discriminant", "discriminant";
-    /// The t at which the ray meets the whole surface.
+    /// The t at which the ray meets the surface as if it had no ends.
     Roots = "roots", "roots";
     /// The height of each root over the base of a cone, which ends at its apex.
     Height = "height", "height";
@@ -68,7 +69,7 @@ parts! {
 
     /// The plane A·x + B·y + C·z + D = 0 of the polygon, equation (iv).
     Plane = "plane", "plane";
-    /// The t at which the ray meets the plane, equation (v).
+    /// The t at which the ray hits the plane, equation (v).
     PlaneT = "plane-t", "t";
     /// The point p = o + t·Δ in the plane.
     PlanePoint = "plane-point", "p";
@@ -85,13 +86,13 @@ parts! {
     SlabRay = "slab-ray", "S, T";
     /// The t at which the ray enters a slab and leaves it.
     NearFar = "near-far", "near, far";
-    /// What all slabs have in common: from the largest near to the smallest far.
+    /// The t inside all slabs: from the largest near to the smallest far.
     Interval = "interval", "interval";
-    /// Whether the ray meets a bounding volume, and so what is inside of it is tested.
+    /// Whether the ray hits a bounding volume, so that what is inside it is tested.
     Bound = "bound", "bounding volume";
     /// Whether a node of the hierarchy is entered, rejected or pruned.
     Node = "node", "node";
-    /// The heap of the nodes that wait, the nearest first.
+    /// The heap (priority queue) of the nodes that wait, the nearest first.
     Heap = "heap", "heap";
 
     /// The box of the grid, and the cell in which the ray starts.
@@ -102,10 +103,10 @@ parts! {
     NextPlanes = "next-planes", "next planes";
     /// Whether the ray was tested against the object in an earlier cell.
     Mailbox = "mailbox", "mailbox";
-    /// A hit behind the cell's end is kept, and later cells may have a nearer one.
-    HitOutside = "hit-outside", "hit outside of its cell";
-    /// Why the walk through the cells ends.
-    WalkEnd = "walk-end", "end of the walk";
+    /// A hit beyond the cell's end is kept, and later cells may have a nearer one.
+    HitOutside = "hit-outside", "hit outside the cell";
+    /// Why the traversal of the cells ends.
+    WalkEnd = "walk-end", "end of the traversal";
 
     /// The frame in which the ray is the z axis.
     Alignment = "alignment", "aligned frame";
@@ -116,11 +117,11 @@ parts! {
     /// Whether a hit is nearer than all before it.
     Nearest = "nearest", "nearest hit";
 
-    /// The point that the ray meets, with its material and the ε of the rays that start there.
+    /// The point that the ray hits, with its material and the ε of the rays that start there.
     Point = "point", "point";
     /// The unit normal N at that point, on the ray's side.
     Normal = "normal", "normal";
-    /// Whether light reaches the point: nothing stands between, and the surface faces the light.
+    /// Whether light reaches the point: nothing is in between, and the surface faces the light.
     Visibility = "visibility", "visibility";
     /// The unit vector L to the light, and N·L.
     ToLight = "to-light", "L, N·L";
@@ -138,12 +139,12 @@ parts! {
     Snell = "snell", "Snell's law";
     /// The direction T of the refracted ray; none under total internal reflection.
     Transmitted = "transmitted", "T";
-    /// What the ray brings back.
+    /// The colour that the ray returns.
     RayColour = "ray-colour", "colour of the ray";
-    /// The colour that the pixel's rays make.
-    PixelColour = "pixel-colour", "pixel's colour";
+    /// The colour of the pixel, from the colours of its rays.
+    PixelColour = "pixel-colour", "colour of the pixel";
 
-    /// A path of light from surface to surface.
+    /// A part of a path, from one surface to the next.
     Leg = "leg", "leg";
     /// Russian roulette: one random number decides how a path goes on.
     Roulette = "roulette", "Russian roulette";
@@ -151,15 +152,15 @@ parts! {
     Stored = "stored", "stored photon";
     /// G = cos²θ/d² between window and aperture, and the light that arrives there.
     Arrival = "arrival", "arrival";
-    /// The photons nearest to the point.
-    Gathered = "gathered", "gathered photons";
+    /// The stored photons nearest to the point, and the light that they bring.
+    Gathered = "gathered", "gathered light";
     /// The part of the surface on which the gathered photons lie.
     Area = "area", "area";
     /// G = cos θ·cos θ′/d²: how much of what leaves one vertex arrives at the other.
     GeometryTerm = "geometry-term", "geometry term";
     /// The balance heuristic: the share of this connection among all that could have made the path.
     Weight = "weight", "weight";
-    /// What the connection brings to the pixel.
+    /// What the connection adds to the pixel.
     Contribution = "contribution", "contribution";
 }
 

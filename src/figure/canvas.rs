@@ -10,7 +10,7 @@ use svg::Document;
 use svg::node::element::{Description, Element, Group, Style, Title};
 use svg::node::{Node, Text as Letters};
 
-use crate::explain::{printable, shown};
+use crate::explain::{MINUS, printable, shown};
 use crate::figure::frame::Frame;
 use crate::figure::labels::place_labels;
 use crate::figure::look::{Colour, Dash, FAINT, Fill, Look};
@@ -322,13 +322,18 @@ pub(super) fn quantity(value: f64) -> String {
     if size == 0.0 || (LEAST..MOST).contains(&size) {
         return shown(value, 4);
     }
-    let rounded = format!("{value:.2e}");
-    match rounded.split_once('e') {
+    let rounded = format!("{size:.2e}");
+    let rounded = match rounded.split_once('e') {
         Some((digits, power)) => {
             let digits = digits.trim_end_matches('0').trim_end_matches('.');
             format!("{digits}e{power}")
         }
         None => rounded,
+    };
+    if value < 0.0 {
+        format!("{MINUS}{rounded}")
+    } else {
+        rounded
     }
 }
 
@@ -375,13 +380,13 @@ mod tests {
         for (value, expected) in [
             (0.0, "0"),
             (1.0 / 3.0, "0.3333"),
-            (-0.001_234, "-0.001234"),
+            (-0.001_234, "−0.001234"),
             (0.000_011_85, "1.19e-5"),
-            (-8.018e-10, "-8.02e-10"),
+            (-8.018e-10, "−8.02e-10"),
             (99_990.0, "99990"),
             (99_999.0, "1e5"),
             (3.192e9, "3.19e9"),
-            (-2e-4, "-2e-4"),
+            (-2e-4, "−2e-4"),
         ] {
             assert_eq!(quantity(value), expected);
         }
@@ -390,7 +395,7 @@ mod tests {
     #[test]
     fn a_coordinate_that_is_rounding_is_zero() {
         let of = DVec3::new(7.0 + 1e-15, -1e-15, -0.5);
-        assert_eq!(coordinates(of), "(7, 0, -0.5)");
+        assert_eq!(coordinates(of), "(7, 0, −0.5)");
         assert_eq!(coordinates(DVec3::ZERO), "(0, 0, 0)");
     }
 

@@ -51,11 +51,11 @@ fn a_met_a_missed_and_a_hidden_volume_are_told_with_what_follows() {
     // through the center of the first, √66 = 8.12404 away
     let text = solution(&scene, VolumeKind::Sphere, &SlabSet::AXES, TOP_RIGHT);
     let lines = [
-        "0: the bounding sphere is met from t = 7.12404 to t = 9.12404: the object is tested",
-        "1: the bounding sphere is missed: the object inside is not tested",
-        "2: the bounding sphere begins at t = 11.1861, behind the nearest hit, t = 7.12404: the object inside \
+        "bounding volume of 0 (sphere): hit, inside for t in [7.12404, 9.12404], so the object is tested",
+        "bounding volume of 1 (sphere): missed, so the object is not tested",
+        "bounding volume of 2 (sphere): begins at t = 11.1861, behind the nearest hit, t = 7.12404, so the object \
          is not tested",
-        "3: the bounding sphere lies behind the origin, from t = -9.12404 to t = -7.12404: the object inside \
+        "bounding volume of 3 (sphere): behind the origin, inside for t in [−9.12404, −7.12404], so the object \
          is not tested",
     ];
     check_lines(&text, &lines);
@@ -71,18 +71,18 @@ fn each_slab_is_worked_out_up_to_the_one_at_which_near_and_far_cross() {
     // x from 0 to 2: T = −√66, D from −2 to 0. Of the solid x lies between t = 0 and 4√66 = 32.4962, y from
     // 2√66 = 16.2481 on, and z = 0 is passed at 9√66/8 = 9.13955
     let lines = [
-        "0: the slabs around it",
-        "slab 0, (A, B, C) = (1, 0, 0): S = 1·0 + 0·0 + 0·9 = 0, T = -1/[1·0.123091 + 0·0.123091 + \
-         0·(-0.984732)] = -8.12404",
-        "far (S + D_min)·T = (0 - 2)·(-8.12404) = 16.2481; largest near",
-        "slab 2, (A, B, C) = (0, 0, 1): S = 0·0 + 0·0 + 1·9 = 9, T = -1/[0·0.123091 + 0·0.123091 + \
-         1·(-0.984732)] = 1.0155",
-        "near (S + D_min)·T = (9 - 2)·1.0155 = 7.10853, far",
-        "0: the intersection of the slabs is met from t = 7.10853 to t = 9.13954: the object is tested",
-        "1: the slabs around it",
-        "the largest near, 16.24808, is not below the smallest far, 9.139543: no t in common, missed, and no \
-         more slabs are looked at",
-        "1: the intersection of the slabs is missed: the object inside is not tested",
+        "Bounding volume of 0, slab by slab",
+        "S, T of slab 0, (A, B, C) = (1, 0, 0): S = 1·0 + 0·0 + 0·9 = 0, T = −1/[1·0.123091 + 0·0.123091 + \
+         0·(−0.984732)] = −8.12404",
+        "far = (S + D_min)·T = (0 − 2)·(−8.12404) = 16.2481",
+        "interval: max near ",
+        "S, T of slab 2, (A, B, C) = (0, 0, 1): S = 0·0 + 0·0 + 1·9 = 9, T = −1/[0·0.123091 + 0·0.123091 + \
+         1·(−0.984732)] = 1.0155",
+        "near = (S + D_min)·T = (9 − 2)·1.0155 = 7.10853, far",
+        "bounding volume of 0 (slabs): hit, inside for t in [7.10853, 9.13954], so the object is tested",
+        "Bounding volume of 1, slab by slab",
+        "interval: max near 16.24808 > min far 9.139543: no t in common, missed; no more slabs are tested",
+        "bounding volume of 1 (slabs): missed, so the object is not tested",
     ];
     check_lines(&text, &lines);
 }
@@ -110,10 +110,10 @@ fn every_line_about_volumes_can_be_computed_again() {
         for text in texts {
             for line in text.lines() {
                 let [numbers, _] = check_line(line);
-                if line.contains("slab ") || line.contains("near (") {
+                if line.contains("S, T of") || line.contains("near, far") {
                     equations += numbers;
                 }
-                verdicts += usize::from(line.contains(": the bounding "));
+                verdicts += usize::from(line.trim_start().starts_with("bounding volume of"));
             }
         }
     }
@@ -152,12 +152,12 @@ fn a_parallel_ray_is_told_by_where_its_s_lies() {
     let text = worked_text(&scene, &Settings::default(), &records, &options);
     // −D runs from −0.5 to 1.5, and for the second sphere from 2.5 to 4.5
     let lines = [
-        "S = 1·0.5 + 0·0.5 + 0·9 = 0.5, 1·0 + 0·0 + 0·(-1) = 0: the ray is parallel",
-        "-D_max = -0.5, -D_min = 1.5, and S is between them: inside for every t",
-        "0: the intersection of the slabs is met from t = 8 to t = 10: the object is tested",
-        "-D_max = 2.5, -D_min = 4.5, and S is not between them: outside for every t",
-        "no t, missed: no more slabs are looked at",
-        "1: the intersection of the slabs is missed: the object inside is not tested",
+        "S = 1·0.5 + 0·0.5 + 0·9 = 0.5, 1·0 + 0·0 + 0·(−1) = 0: the ray is parallel",
+        "−D_max = −0.5, −D_min = 1.5, and S is between them, so the ray is inside for every t",
+        "bounding volume of 0 (slabs): hit, inside for t in [8, 10], so the object is tested",
+        "−D_max = 2.5, −D_min = 4.5, and S is not between them, so the ray is outside for every t",
+        "interval: empty, missed; no more slabs are tested",
+        "bounding volume of 1 (slabs): missed, so the object is not tested",
     ];
     check_lines(&text, &lines);
     for line in text.lines() {

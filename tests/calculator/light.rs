@@ -56,8 +56,8 @@ fn what_comes_to_the_eye_can_be_computed_again() {
     check(
         Transport::Forward,
         &[
-            ("d² = |window - aperture|²", 1),
-            ("cos θ = N·(window - aperture)/d", 1),
+            ("d² = |window − aperture|²", 1),
+            ("cos θ = N·(window − aperture)/d", 1),
             ("G = cos²θ/d²", 1),
             ("L = power/(G·π·R²·A)", 1),
         ],
@@ -70,9 +70,9 @@ fn what_is_gathered_can_be_computed_again() {
         Transport::HybridStored,
         &[
             ("area = π·r²", 1),
-            ("Σ power", 1),
-            ("E = Σ power/area", 1),
-            ("L = colour·diffuse/π·E", 1),
+            ("irradiance: Σ power", 1),
+            ("irradiance: E = Σ power/area", 1),
+            ("diffuse: colour·diffuse/π·E", 1),
         ],
     );
 }
@@ -82,19 +82,19 @@ fn what_a_line_brings_can_be_computed_again() {
     check(
         Transport::HybridConnected,
         &[
-            ("x' - x", 1),
-            ("d² = |x' - x|²", 1),
-            ("cos θ' = N'·(x - x')/d", 1),
-            ("G = cos θ·cos θ'/d²", 1),
+            ("x′ − x", 1),
+            ("d² = |x′ − x|²", 1),
+            ("cos θ′ = N′·(x − x′)/d", 1),
+            ("G = cos θ·cos θ′/d²", 1),
             ("φ₀", 1),
             ("φ₁", 1),
             ("φ₂ = d²/(A·cos θ)", 1),
             ("edge 0–1", 1),
             ("w = share/Σ shares", 1),
             ("sent:", 1),
-            ("received: ρ'/π·β", 1),
+            ("received: ρ′/π·β", 1),
             ("L = sent·G·V·received·w", 1),
-            ("→ it adds", 1),
+            ("→ the line adds", 1),
             ("together:", 1),
         ],
     );

@@ -92,7 +92,7 @@ fn the_log_of_a_figure_has_every_colour_and_all_of_its_pixel() {
     assert_eq!(tests.len(), 1);
     // it is a log as any other
     let worked = text(folder.run("pixel hit.jsonl 4,4").well());
-    assert!(worked.contains("b² - 4ac = 100 - 96 = 4"), "{worked}");
+    assert!(worked.contains("b² − 4ac = 100 − 96 = 4"), "{worked}");
 }
 
 #[test]

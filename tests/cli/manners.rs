@@ -143,3 +143,20 @@ fn the_readme_installs_the_command_before_it_is_first_called() {
     let first = readme.find(called.unwrap()).unwrap();
     assert!(install < first);
 }
+
+#[test]
+fn the_readme_shows_what_the_command_prints() {
+    let readme = include_str!("../../README.md");
+    let lesson = include_str!("../../lessons/04-sphere/scene.json");
+    let folder = Folder::empty().with("lessons.json", lesson);
+    let printed = text(folder.run("pixel lessons.json 80,60").well());
+    let (_, shown) = readme.split_once("```text\nRay 0").unwrap();
+    let (shown, _) = shown.split_once("```").unwrap();
+    let shown = format!("Ray 0{shown}");
+    let mut rest = printed.lines();
+    let lines: Vec<&str> = shown.lines().filter(|line| line.trim() != "…").collect();
+    assert!(10 < lines.len(), "{shown}");
+    for line in lines {
+        assert!(rest.any(|printed| printed == line), "{line}\n{printed}");
+    }
+}

@@ -139,12 +139,12 @@ fn the_building_is_told_before_the_pixel() {
     ] {
         let words = format!("pixel scene.json 80,60 --strategy {way}");
         let without = String::from_utf8(folder.run(&words).well()).unwrap();
-        assert!(!without.contains("Built before"), "{way}");
+        assert!(!without.contains("Building, before"), "{way}");
         let with = folder.run(&format!("{words} --building")).well();
         let with = String::from_utf8(with).unwrap();
-        let built = with.find("Built before the first ray").unwrap();
+        let built = with.find("Building, before the first ray").unwrap();
         let told = with.find(line).unwrap();
-        let window = with.find("The pixel's centre on the window").unwrap();
+        let window = with.find("Window point: the pixel's centre").unwrap();
         assert!(built < told && told < window, "{way}\n{with}");
         // nothing else is told otherwise
         assert_eq!(

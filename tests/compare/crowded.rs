@@ -19,8 +19,8 @@ fn small_on_large() -> String {
 }
 
 /// 41 objects and 3 cells for each are 123. The box is too flat for a second cell along y: √123 = 11.1 along x and z.
-/// The middle of the floor is the middle of cell (5, 0, 5), and that is 909 wide.
-const TOLD: &str = "the grid is crowded: cell (5, 0, 5) lists 41 of the 41 objects, and each ray through it is tested \
+/// The middle of the floor is the middle of cell [5, 0, 5], and that is 909 wide.
+const TOLD: &str = "the grid is crowded: cell [5, 0, 5] lists 41 of the 41 objects, and each ray through it is tested \
                     against all of these; the hierarchy adapts to such a scene, a grid needs many more cells";
 
 #[test]

@@ -142,5 +142,5 @@ fn a_log_of_slab_tests_alone_has_their_slab_rays_too_and_its_text_has_s_and_t() 
     // where the ray starts is in the whole log alone
     assert!(told("only.jsonl").contains(": S = "));
     assert!(told("only.jsonl").contains(", T = "));
-    assert!(told("all.jsonl").contains(", T = -1/["));
+    assert!(told("all.jsonl").contains(", T = −1/["));
 }

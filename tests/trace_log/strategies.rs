@@ -193,7 +193,7 @@ fn what_was_built_reads_back_as_the_same_records_and_the_same_text() {
             let memory = worked_text(&scene, &settings, &traced, &options);
             let file = worked_text(&read_scene, &read_settings, &read, &options);
             assert!(memory == file, "{what}");
-            assert!(memory.contains("Built before the first ray"), "{what}");
+            assert!(memory.contains("Building, before the first ray"), "{what}");
         }
     }
 }

@@ -93,10 +93,11 @@ fn value(text: &str, holds: &str) -> f64 {
     let line = text.lines().find(|line| line.contains(holds));
     let line = line.unwrap_or_else(|| panic!("no {holds} in\n{text}"));
     let number = line.rsplit(" = ").next().unwrap();
-    number.split([' ', ',']).next().unwrap().parse().unwrap()
+    let number = number.split([' ', ',']).next().unwrap();
+    number.replace('−', "-").parse().unwrap()
 }
 
-/// The two points of the first line that holds them: `x = (…), …, x' = (…)`.
+/// The two points of the first line that holds them: `x = (…), …, x′ = (…)`.
 #[track_caller]
 fn ends(text: &str) -> [[f64; 3]; 2] {
     let line = text
@@ -108,7 +109,11 @@ fn ends(text: &str) -> [[f64; 3]; 2] {
         .skip(1)
         .map(|part| {
             let (numbers, _) = part.split_once(')').unwrap();
-            let numbers: Vec<f64> = numbers.split(", ").map(|n| n.parse().unwrap()).collect();
+            let numbers: Vec<f64> = numbers
+                .replace('−', "-")
+                .split(", ")
+                .map(|n| n.parse().unwrap())
+                .collect();
             numbers.try_into().unwrap()
         })
         .collect();
@@ -126,17 +131,17 @@ fn close(a: f64, b: f64) {
 #[test]
 fn the_geometry_term_of_a_line_from_lamp_to_floor_is_that_of_paper_and_pencil() {
     let text = told(Transport::HybridConnected);
-    let of_lamp = text.find("Connection of the light lamp").unwrap();
+    let of_lamp = text.find(r#"Connection of light "lamp""#).unwrap();
     let text = &text[of_lamp..];
     let [lamp, floor] = ends(text);
     assert_eq!(lamp, [0.0, 2.0, 1.0]);
     // floor is y = 0, so the lamp is 2 above it: cos θ' = 2/d and G = 2/d³
     let squared = floor[0] * floor[0] + 4.0 + (floor[2] - 1.0) * (floor[2] - 1.0);
     let geometry = 2.0 / squared.powf(1.5);
-    close(value(text, "G = cos θ·cos θ'/d²"), geometry);
+    close(value(text, "G = cos θ·cos θ′/d²"), geometry);
     check(
         text,
-        &["cos θ = 1: a point light shines in all directions alike"],
+        &["cos θ = 1: a point light emits the same in all directions"],
     );
 
     // the lamp sends 1/(4π) per steradian, the floor 0.8/π; at the eye, with the window at distance 1 and cos θ = 2/e
@@ -157,7 +162,7 @@ fn the_geometry_term_of_a_line_from_lamp_to_floor_is_that_of_paper_and_pencil() 
     let red = 1.5625 / (4.0 * pi) * geometry * 0.8 / pi * own / (own + other);
     let adds = text
         .lines()
-        .find(|line| line.contains("→ it adds"))
+        .find(|line| line.contains("→ the line adds"))
         .unwrap();
     let printed = adds.rsplit('(').next().unwrap().split(',').next().unwrap();
     close(printed.parse().unwrap(), 16.0 * red);
@@ -170,11 +175,11 @@ fn a_photon_on_its_way_to_the_eye_brings_its_power_by_the_area_it_passes() {
         &text,
         &[
             "2 000 paths of light, seed 1; the eye is an aperture of radius 0.5",
-            "The pixel's centre on the window: no ray is sent from it, photons come to the pixel",
+            "Window point: the pixel's centre; no ray is cast through it, photons arrive at the pixel",
         ],
     );
     // the planes of window and aperture are 1 apart: cos θ = 1/d, so G = 1/d⁴
-    let squared = value(&text, "d² = |window - aperture|²");
+    let squared = value(&text, "d² = |window − aperture|²");
     let geometry = value(&text, "G = cos²θ/d²");
     close(geometry, 1.0 / (squared * squared));
     // 100 W over 2000 paths, a disc of radius ½, pixels of ½ × ½
@@ -201,8 +206,8 @@ fn an_aperture_of_nothing_sees_nothing_and_the_solution_says_why() {
     check(
         &text,
         &[
-            "none of 2 000 photons has come through this pixel into the eye: the eye's aperture is a point, which \
-             no photon ever meets",
+            "none of 2 000 photons passes this pixel into the eye: the eye's aperture is a point, which no photon \
+             ever hits",
             "nothing arrives: (0, 0, 0)",
         ],
     );
@@ -217,12 +222,12 @@ fn photons_around_a_point_make_its_irradiance() {
     check(
         &text,
         &[
-            "→ The ray meets floor at t = 2.12132",
-            "Light that is stored around p on floor",
+            "→ point: the ray hits floor at t = 2.12132",
+            "gathered light of the photons stored around p on floor",
             "… 3 more photons",
             // seven of eight, each with 100 W over 2000 paths
-            "Σ power = 0.05·(7, 7, 7) = (0.35, 0.35, 0.35), in watts: so many of the 7 photons carry each channel",
-            "Ambient: none, for the light that it stands for was followed",
+            "irradiance: Σ power = 0.05·(7, 7, 7) = (0.35, 0.35, 0.35), in W, with how many of the 7 photons carry each channel",
+            "ambient: none, the paths of light replace it",
         ],
     );
     let area = value(&text, "area = π·r²");
@@ -242,11 +247,11 @@ fn photons_around_a_point_make_its_irradiance() {
 #[test]
 fn a_path_of_light_is_told_leg_by_leg_and_in_full_where_all_is_asked_for() {
     let text = told(Transport::HybridStored);
-    let title = "of light: from the light lamp, carries 0.05 W in each channel (100 W of the light over 2 000 paths)";
+    let title = r#"of light: from light "lamp", carries 0.05 W in each channel (100 W of the light, shared by 2 000 paths)"#;
     assert!(text.contains(title), "{text}");
     let legs = text
         .lines()
-        .filter(|line| line.starts_with("  lamp → floor at t = "))
+        .filter(|line| line.starts_with(r#"  leg 1: light "lamp" → floor at t = "#))
         .count();
     assert_eq!(legs, 8, "{text}");
     let all = WorkedOptions {
@@ -254,13 +259,13 @@ fn a_path_of_light_is_told_leg_by_leg_and_in_full_where_all_is_asked_for() {
         ..WorkedOptions::default()
     };
     let full = solution(&settings(Transport::HybridStored), [1, 1], &all);
-    assert!(!full.contains("lamp → floor"), "{full}");
+    assert!(!full.contains("\"lamp\" → floor"), "{full}");
     check(
         &full,
         &[
-            "Ray 0: from the light lamp, depth 1",
-            "→ the nearest hit so far",
-            "Ray 0: from the eye, depth 1",
+            r#"Ray 0: light ray from light "lamp", depth 1"#,
+            "→ nearest hit so far",
+            "Ray 0: eye ray, depth 1",
         ],
     );
 }
@@ -286,12 +291,12 @@ fn kinds_and_a_ray_restrict_light_as_they_do_the_pixel() {
         ..WorkedOptions::default()
     };
     let text = solution(&settings, [1, 1], &only);
-    assert!(text.contains("G = cos θ·cos θ'/d²"));
+    assert!(text.contains("G = cos θ·cos θ′/d²"));
     for other in [
         "ξ",
         "w = share",
         "plane",
-        "The pixel's colour",
+        "Colour of the pixel",
         "P = corner",
     ] {
         assert!(!text.contains(other), "{other} in\n{text}");
@@ -302,8 +307,8 @@ fn kinds_and_a_ray_restrict_light_as_they_do_the_pixel() {
         ..WorkedOptions::default()
     };
     let text = solution(&settings, [1, 1], &ray);
-    assert_eq!(text.matches("Connection of the light lamp").count(), 1);
-    assert!(text.contains("G = cos θ·cos θ'/d²"), "{text}");
+    assert_eq!(text.matches(r#"Connection of light "lamp""#).count(), 1);
+    assert!(text.contains("G = cos θ·cos θ′/d²"), "{text}");
     assert!(!text.contains("Path "), "{text}");
 }
 
@@ -319,11 +324,10 @@ fn a_mirror_or_glass_on_the_way_is_told_as_what_cannot_be_the_line() {
         })
         .collect();
     for line in [
-        "for a mirror or glass at an end sends light on in one direction alone",
+        "since a mirror or glass at an end reflects or refracts in one direction only",
         "w = 1: no other edge could have been the line",
-        "→ V = 0, since something stands between: the line adds nothing",
-        "what is seen through the surface counts (n₁/n₂)² = 1.5² = 2.25 times: behind it the same light fills \
-         another solid angle",
+        "→ contribution: none, V = 0 since an object is in between",
+        "the refracted radiance is multiplied by (n₁/n₂)² = 1.5² = 2.25, since the solid angle changes",
     ] {
         assert!(text.contains(line), "{line}");
     }

@@ -145,7 +145,7 @@ fn a_document_is_well_formed_and_says_what_each_line_is() {
     }
     let discriminant = spans
         .iter()
-        .find(|span| span.text().unwrap().starts_with("b² - 4ac"));
+        .find(|span| span.text().unwrap().starts_with("discriminant: b² − 4ac"));
     let discriminant = discriminant.unwrap();
     // the pixel, the eye ray, its test
     assert_eq!(discriminant.attribute("data-first"), Some("pixel:2"));

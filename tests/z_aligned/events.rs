@@ -179,19 +179,19 @@ fn the_working_is_told_in_the_numbers_of_the_frame() {
     );
     for line in [
         "o = (0, 0, 0), z = Δ = (0.6, 0, 0.8)",
-        "x = [e - (e·z)·z]/|z × e| = [(0, 1, 0) - 0·(0.6, 0, 0.8)]/1 = (0, 1, 0), with e the axis along \
-         which Δ is shortest",
-        "y = z × x = [z × e]/|z × e| = (-0.8, 0, 0.6)",
-        "ball: center (6, 1, 8) → (1, 0, 10)",
-        "c = |o - center|² - r² = (-1)² + 0² + (-10)² - 2² = 97",
-        "t = (-b ± √12)/2a = (20 ± 3.4641016)/2 = 8.2679492 and 11.732051",
-        "at x = y = 0 (ii) is (z - c_z)² = r² - c_x² - c_y² = 2² - 1² - 0² = 3",
-        "box: center (3, 0, 4) → (0, 0, 5)",
-        "box: half axis 0 (1, 0, 0) → (0, -0.8, 0.6)",
-        "slab across z, turned to (A, B, C) = (0, 0.6, 0.8): near -D/C = -(-3)/0.8 = 3.75, far -D/C = \
-         -(-5)/0.8 = 6.25",
-        "The hits, sorted by z",
-        "1. box at z = 3.75: (0, 0, 3.75) goes back to o + z·Δ = (0, 0, 0) + 3.75·(0.6, 0, 0.8) = (2.25, 0, 3)",
+        "x = [e − (e·z)·z]/|z × e| = [(0, 1, 0) − 0·(0.6, 0, 0.8)]/1 = (0, 1, 0), with e the axis of the \
+         smallest component of Δ",
+        "y = z × x = [z × e]/|z × e| = (−0.8, 0, 0.6)",
+        "aligned point: center of ball (6, 1, 8) → (1, 0, 10)",
+        "c = |o − center|² − r² = (−1)² + 0² + (−10)² − 2² = 97",
+        "t = (−b ± √12)/2a = (20 ± 3.4641016)/2 = 8.2679492 and 11.732051",
+        "at x = y = 0 (ii) is (z − c_z)² = r² − c_x² − c_y² = 2² − 1² − 0² = 3",
+        "aligned point: center of box (3, 0, 4) → (0, 0, 5)",
+        "aligned point: half axis 0 of box (1, 0, 0) → (0, −0.8, 0.6)",
+        "near, far of the slab across z, turned to (A, B, C) = (0, 0.6, 0.8): near = −D/C = −(−3)/0.8 = 3.75, \
+         far = −D/C = −(−5)/0.8 = 6.25",
+        "Z sort: the hits, the nearest first",
+        "1. box at z = 3.75: (0, 0, 3.75) is o + z·Δ = (0, 0, 0) + 3.75·(0.6, 0, 0.8) = (2.25, 0, 3) in the scene",
         "2. ball at z = 8.26795",
     ] {
         assert!(text.contains(line), "{line}\nis not in\n{text}");

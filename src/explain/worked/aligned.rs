@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use crate::explain::number::{Digits, without_rounding};
-use crate::explain::page::Tone;
+use crate::explain::part::Part;
 use crate::explain::worked::context::Context;
 use crate::explain::worked::pen::Pen;
 use crate::explain::worked::steps::{Course, Step, Told};
@@ -45,8 +45,7 @@ pub(super) fn align(context: &Context, frame: &Alignment, page: &mut Pen) {
     let lines = [
         format!("o = {}, z = Δ = {}", d.vector(origin), d.vector(z)),
         format!(
-            "x = [e - (e·z)·z]/|z × e| = [{} - {}·{}]/{} = {}, with e the axis along which Δ is \
-                 shortest",
+            "x = [e − (e·z)·z]/|z × e| = [{} − {}·{}]/{} = {}, with e the axis of the smallest component of Δ",
             d.vector(e),
             d.factor(along),
             d.vector(z),
@@ -54,11 +53,11 @@ pub(super) fn align(context: &Context, frame: &Alignment, page: &mut Pen) {
             d.vector(x)
         ),
         format!("y = z × x = [z × e]/|z × e| = {}", d.vector(y)),
-        "o' = (0, 0, 0), Δ' = (x·Δ, y·Δ, z·Δ) = (0, 0, 1): any hit lies at x = y = 0, and z is t"
+        "o′ = (0, 0, 0), Δ′ = (x·Δ, y·Δ, z·Δ) = (0, 0, 1): any hit has x = y = 0, and its z is t"
             .into(),
     ];
-    let title = "The ray becomes the z axis: p' = (x·(p - o), y·(p - o), z·(p - o))";
-    page.line(Tone::Heading, title);
+    let words = ", in which the ray is the z axis: p′ = (x·(p − o), y·(p − o), z·(p − o))";
+    page.titled(Part::Alignment, words);
     page.indented(|page| {
         for line in lines {
             page.plain(line);
@@ -82,7 +81,8 @@ pub(super) fn aligned(context: &Context, point: &Aligned, page: &mut Pen) {
     };
     if context.options.all || point.index < VERTICES_SHOWN {
         let (from, to) = (d.vector(point.from), d.vector(without_rounding(point.to)));
-        page.plain(format!("{name}: {part} {from} → {to}"));
+        let words = format!(": {part} of {name} {from} → {to}");
+        page.headed(Part::AlignedPoint, words);
         return;
     }
     // the rest of the vertices is summed up where the last one stands
@@ -105,7 +105,7 @@ pub(super) fn z_sort(context: &Context, sorted: &ZSort, course: &Course, page: &
     let d = Digits::USUAL;
     let z = d.number(sorted.z);
     if sorted.place == 0 {
-        page.line(Tone::Heading, "The hits, sorted by z");
+        page.titled(Part::ZSort, ": the hits, the nearest first");
     }
     let mut text = format!(
         "{}. {} at z = {z}",
@@ -115,7 +115,7 @@ pub(super) fn z_sort(context: &Context, sorted: &ZSort, course: &Course, page: &
     if let (0, Some(aligned)) = (sorted.place, &course.aligned) {
         let frame = aligned.frame;
         text = format!(
-            "{text}: (0, 0, {z}) goes back to o + z·Δ = {} + {}·{} = {}",
+            "{text}: (0, 0, {z}) is o + z·Δ = {} + {}·{} = {} in the scene",
             d.vector(frame.origin),
             d.factor(sorted.z),
             d.vector(frame.z),
@@ -130,8 +130,8 @@ pub(super) fn sphere_at_axis(center: DVec3, radius: f64, page: &mut Pen) {
     let radius2 = radius * radius;
     let inside = radius2 - center.truncate().length_squared();
     let d = Digits::for_difference(radius2, inside);
-    page.plain(format!(
-        "at x = y = 0 (ii) is (z - c_z)² = r² - c_x² - c_y² = {}² - {}² - {}² = {}",
+    page.part(Part::Discriminant).plain(format!(
+        "at x = y = 0 (ii) is (z − c_z)² = r² − c_x² − c_y² = {}² − {}² − {}² = {}",
         d.number(radius),
         d.factor(center.x),
         d.factor(center.y),
@@ -143,13 +143,13 @@ pub(super) fn sphere_at_axis(center: DVec3, radius: f64, page: &mut Pen) {
 pub(super) fn turned_slab(name: &str, slab: &AlignedSlab, interval: SlabInterval) -> String {
     let d = Digits::USUAL;
     let normal = d.vector(without_rounding(slab.normal));
-    let text = format!("slab across {name}, turned to (A, B, C) = {normal}");
+    let text = format!(" of the slab across {name}, turned to (A, B, C) = {normal}");
     match interval {
         SlabInterval::ParallelInside => {
-            format!("{text}: the ray is parallel and inside, every z")
+            format!("{text}: the ray is parallel and inside for every z")
         }
         SlabInterval::ParallelOutside => {
-            format!("{text}: the ray is parallel and outside, no z")
+            format!("{text}: the ray is parallel and outside for every z")
         }
         SlabInterval::Between { near, far } => {
             // the near plane is that of D_max if the ray runs along the normal
@@ -161,7 +161,7 @@ pub(super) fn turned_slab(name: &str, slab: &AlignedSlab, interval: SlabInterval
             let cosine = -1.0 / slab.t_scale;
             let at = |d_plane: f64, z: f64| {
                 let quotient = format!("{}/{}", d.factor(d_plane), d.factor(cosine));
-                format!("-D/C = -{quotient} = {}", d.number(z))
+                format!("= −D/C = −{quotient} = {}", d.number(z))
             };
             format!("{text}: near {}, far {}", at(first, near), at(second, far))
         }

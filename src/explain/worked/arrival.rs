@@ -1,4 +1,4 @@
-//! The point that a ray meets: where it is, its normal, and ε for what is sent on from it.
+//! The point that a ray hits: where it is, its normal, and ε of the rays that are spawned there.
 
 use crate::explain::number::Digits;
 use crate::explain::page::Tone;
@@ -17,7 +17,7 @@ pub(super) fn arrive(context: &Context, course: &mut Course, page: &mut Pen) {
         return;
     }
     if let Some(photon) = course.photon {
-        return meets(context, &photon, course, page);
+        return hits(context, &photon, course, page);
     }
     let (Some(end), Some(shade)) = (course.end, course.shade) else {
         return;
@@ -31,21 +31,26 @@ pub(super) fn arrive(context: &Context, course: &mut Course, page: &mut Pen) {
         .t
         .map_or(String::new(), |t| format!(" at t = {}", d.number(t)));
     page.gap();
-    page.line(Tone::Found, format!("→ The ray meets {name}{t}"));
+    page.result(
+        Tone::Found,
+        Part::Point,
+        format!(": the ray hits {name}{t}"),
+    );
     page.indented(|page| {
         let (formula, numbers, d_point) = normal_formula(context, &shade);
         page.plain(format!("p = o + t·Δ = {}", d_point.vector(shade.point)));
-        // N is on the ray's side: from the back it is the surface's own normal turned round
+        // N is on the ray's side: from the back it is the surface's own normal, negated
         let (sign, back) = if shade.back {
-            ("-", " (the ray meets the back)")
+            ("−", " (the ray hits the back)")
         } else {
             ("", "")
         };
         let numbers = numbers.map_or(String::new(), |numbers| format!(" = {sign}{numbers}"));
-        page.part(Part::Normal).plain(format!(
-            "N = {sign}{formula}{numbers} = {}{back}",
+        let text = format!(
+            ": N = {sign}{formula}{numbers} = {}{back}",
             d.vector(shade.normal)
-        ));
+        );
+        page.headed(Part::Normal, text);
         if let Some(text) = epsilon(context, course, &shade) {
             page.plain(text);
         }
@@ -67,8 +72,8 @@ pub(super) fn arrive(context: &Context, course: &mut Course, page: &mut Pen) {
     });
 }
 
-/// The point at which chance decides how a path goes on.
-fn meets(context: &Context, photon: &Photon, course: &Course, page: &mut Pen) {
+/// The point at which Russian roulette decides how a path continues.
+fn hits(context: &Context, photon: &Photon, course: &Course, page: &mut Pen) {
     if !context.shows(Kind::Photon) {
         return;
     }
@@ -77,7 +82,11 @@ fn meets(context: &Context, photon: &Photon, course: &Course, page: &mut Pen) {
     let t = t.map_or(String::new(), |t| format!(" at t = {}", d.number(t)));
     let name = context.name(photon.object);
     page.gap();
-    page.line(Tone::Found, format!("→ The path meets {name}{t}"));
+    page.result(
+        Tone::Found,
+        Part::Point,
+        format!(": the path hits {name}{t}"),
+    );
     let normal = course.normal.map_or(String::new(), |normal| {
         format!(", N = {}", d.vector(normal))
     });
@@ -86,7 +95,7 @@ fn meets(context: &Context, photon: &Photon, course: &Course, page: &mut Pen) {
 }
 
 /// How the normal of a surface is found, the numbers put in, and the digits that p needs there.
-fn normal_formula(context: &Context, shade: &Shade) -> (&'static str, Option<String>, Digits) {
+fn normal_formula(context: &Context, shade: &Shade) -> (String, Option<String>, Digits) {
     let d = Digits::USUAL;
     let p = shade.point;
     let digits = |size: f64| Digits::for_difference(p.abs().max_element(), size);
@@ -95,15 +104,15 @@ fn normal_formula(context: &Context, shade: &Shade) -> (&'static str, Option<Str
             let d = digits(sphere.radius);
             let (p, center) = (d.vector(p), d.vector(sphere.center));
             let radius = d.number(sphere.radius);
-            let numbers = format!("[{p} - {center}]/{radius}");
-            ("(p - center)/r", Some(numbers), d)
+            let numbers = format!("[{p} − {center}]/{radius}");
+            ("(p − center)/r".into(), Some(numbers), d)
         }
         Shape::Ellipsoid(ellipsoid) => {
             let d = digits(ellipsoid.radii.min_element());
             let (p, center) = (d.vector(p), d.vector(ellipsoid.center));
             let radii = d.vector(ellipsoid.radii);
-            let numbers = format!("[{p} - {center}]/{radii}², normalised");
-            ("(p - center)/radii²", Some(numbers), d)
+            let numbers = format!("[{p} − {center}]/{radii}², normalised");
+            ("(p − center)/radii²".into(), Some(numbers), d)
         }
         Shape::Box(solid) => {
             let normal = solid.normal(p);
@@ -115,23 +124,23 @@ fn normal_formula(context: &Context, shade: &Shade) -> (&'static str, Option<Str
             };
             let low = axis.of(normal) < 0.0;
             let place = axis.of(if low { solid.min } else { solid.max });
-            let face = format!("that of the face at {name} = {}", d.number(place));
-            ("normal of the box", Some(face), d)
+            let face = format!("normal of the face where {name} is {}", d.number(place));
+            (face, None, d)
         }
         Shape::Cone(cone) => {
             let [base, apex] = cone.radii();
-            let formula = "(m⊥/|m⊥| - k·w), normalised, with m = p - base";
-            (formula, None, digits(base.max(apex)))
+            let formula = "(m⊥/|m⊥| − k·w), normalised, with m = p − base";
+            (formula.into(), None, digits(base.max(apex)))
         }
         Shape::Polygon(polygon) => match polygon.normals() {
-            None => ("(A, B, C)", None, d),
+            None => ("(A, B, C)".into(), None, d),
             Some(normals) => {
                 let projected = polygon.dropped().drop_from(p);
                 let weights = mean_value_weights(polygon.outline(), projected);
                 let term = |(&w, &n)| format!("{}·{}", d.number(w), d.vector(n));
                 let terms: Vec<_> = weights.iter().zip(normals).map(term).collect();
                 let numbers = format!("[{}], normalised", terms.join(" + "));
-                ("Σ wᵢ·Nᵢ over the vertices", Some(numbers), d)
+                ("Σ wᵢ·Nᵢ over the vertices".into(), Some(numbers), d)
             }
         },
     }
@@ -151,10 +160,10 @@ fn epsilon(context: &Context, course: &Course, shade: &Shade) -> Option<String> 
     let formula = if epsilon <= 1.000_001e-9 * numbers {
         format!("1e-9·max(|x|, |y|, |z|, t) = 1e-9·{}", d.number(numbers))
     } else {
-        "1e-13 of the surface's largest coordinate or radius".into()
+        "1e-13·(largest coordinate or radius of the surface)".into()
     };
     let epsilon = d.number(epsilon);
     Some(format!(
-        "ε of the rays sent on from here = {formula} = {epsilon}"
+        "ε of the rays spawned here = {formula} = {epsilon}"
     ))
 }

@@ -2,7 +2,6 @@
 
 use std::cell::OnceCell;
 
-use crate::explain::page::Tone;
 use crate::explain::part::Part;
 use crate::explain::worked::context::Context;
 use crate::explain::worked::extent::Extent;
@@ -11,7 +10,7 @@ use crate::explain::worked::pen::Pen;
 use crate::explain::worked::{cells, count, nodes};
 use crate::trace::Event;
 
-/// So many steps are shown, unless all are asked for: more lines than a screen has would hide the pixel.
+/// The number of steps that are shown, unless all are asked for: more lines than a screen has would hide the pixel.
 const SHOWN: usize = 24;
 
 /// The steps of the building, in the order in which they were taken.
@@ -34,7 +33,7 @@ pub(super) fn building(context: &Context, page: &mut Pen) {
     let shown = most.min(built.len());
     let (shown, hidden) = built.split_at(shown);
     page.gap();
-    page.line(Tone::Heading, "Built before the first ray");
+    page.titled(Part::Building, ", before the first ray");
     page.of_part(Part::Building, |page| {
         page.indented(|page| {
             let leaves = OnceCell::new();

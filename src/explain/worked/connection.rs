@@ -103,9 +103,9 @@ pub(super) fn connect(context: &Context, joined: &Joined, eye: &[Photon], page: 
                 });
             }
         } else if context.shows(Kind::Connection) {
-            let text = "→ V = 0, since something stands between: the line adds nothing";
+            let text = ": none, V = 0 since an object is in between";
             page.telling(joined.connection_at, |page| {
-                page.part(Part::Contribution).line(Tone::Refused, text);
+                page.result(Tone::Refused, Part::Contribution, text);
             });
         }
     });
@@ -123,28 +123,29 @@ fn geometry_term(context: &Context, line: &Connection, ends: &[Vertex; 2], page:
     let length = squared.sqrt();
     let size = line.from.abs().max(line.to.abs()).max_element();
     let d_point = Digits::for_difference(size, length);
-    page.plain("The geometry term: how much of what leaves x arrives at x'");
+    let text = ": how much of the light that leaves x arrives at x′";
+    page.headed(Part::GeometryTerm, text);
     page.indented(|page| {
         page.plain(format!(
-            "x = {}{}, x' = {}{}",
+            "x = {}{}, x′ = {}{}",
             d_point.vector(line.from),
             ends[0].beside(),
             d_point.vector(line.to),
             ends[1].beside()
         ));
         page.plain(format!(
-            "x' - x = {} - {} = {}",
+            "x′ − x = {} − {} = {}",
             d_point.vector(line.to),
             d_point.vector(line.from),
             d.vector(vector)
         ));
         page.plain(format!(
-            "d² = |x' - x|² = {} = {}, d = {}",
+            "d² = |x′ − x|² = {} = {}, d = {}",
             d.squares(vector),
             d.number(squared),
             d.number(length)
         ));
-        for (end, name, line_from) in [(0, "θ", vector), (1, "θ'", -vector)] {
+        for (end, name, line_from) in [(0, "θ", vector), (1, "θ′", -vector)] {
             let cosine = line.cosines[end];
             let text = cosine_text(context, &ends[end], name, line_from, cosine);
             page.plain(text);
@@ -152,7 +153,7 @@ fn geometry_term(context: &Context, line: &Connection, ends: &[Vertex; 2], page:
         page.line(
             Tone::Found,
             format!(
-                "G = cos θ·cos θ'/d² = {}·{}/{} = {}",
+                "G = cos θ·cos θ′/d² = {}·{}/{} = {}",
                 d.number(line.cosines[0]),
                 d.number(line.cosines[1]),
                 d.number(squared),
@@ -165,19 +166,23 @@ fn geometry_term(context: &Context, line: &Connection, ends: &[Vertex; 2], page:
 /// The cosine at one end, between the line away from it and the surface's normal.
 fn cosine_text(context: &Context, end: &Vertex, name: &str, away: DVec3, cosine: f64) -> String {
     let d = Digits::USUAL;
-    let prime = if name == "θ" { "" } else { "'" };
+    let prime = if name == "θ" { "" } else { "′" };
     let value = d.number(cosine);
     match &end.place {
         VertexPlace::Light(_) => {
-            format!("cos {name} = 1: a point light shines in all directions alike")
+            format!("cos {name} = 1: a point light emits the same in all directions")
         }
         VertexPlace::Eye => {
-            format!("cos {name} = 1: the eye is a point and faces all ways")
+            format!("cos {name} = 1: the eye is a point and has no normal")
         }
         VertexPlace::Unknown => format!("cos {name} = {value}"),
         VertexPlace::Surface(photon) => {
             let normal = vertex::normal_towards(context, photon, away);
-            let vector = if prime.is_empty() { "x' - x" } else { "x - x'" };
+            let vector = if prime.is_empty() {
+                "x′ − x"
+            } else {
+                "x − x′"
+            };
             format!(
                 "cos {name} = N{prime}·({vector})/d = [{}]/{} = {value}, with N{prime} = {}",
                 d.dot(normal, away),
@@ -191,13 +196,13 @@ fn cosine_text(context: &Context, end: &Vertex, name: &str, away: DVec3, cosine:
 /// L: the product of all factors, and what it adds to the pixel.
 fn contribution(context: &Context, line: &Connection, ends: &[Vertex; 2], page: &mut Pen) {
     let d = Digits::USUAL;
-    page.plain("What the line brings to the pixel");
+    page.headed(Part::Contribution, ": what the line adds to the pixel");
     page.indented(|page| {
         let sent = match &ends[0].place {
             VertexPlace::Light(power) => {
                 let sent = *power * ALL_AROUND;
                 page.plain(format!(
-                    "sent: Φ/(4π) = {}/(4π) = {}, with Φ in watts on this path",
+                    "sent: Φ/(4π) = {}/(4π) = {}, with Φ the power of this path in W",
                     d.vector(*power),
                     d.vector(sent)
                 ));
@@ -206,7 +211,7 @@ fn contribution(context: &Context, line: &Connection, ends: &[Vertex; 2], page: 
             VertexPlace::Surface(photon) => {
                 let sent = photon.power * photon.diffuse / std::f64::consts::PI;
                 page.plain(format!(
-                    "sent: Φ·ρ/π = {}·{}/π = {}, with Φ the watts that arrive at x and ρ = colour·diffuse",
+                    "sent: Φ·ρ/π = {}·{}/π = {}, with Φ the power in W that arrives at x and ρ = colour·diffuse",
                     d.vector(photon.power),
                     d.vector(photon.diffuse),
                     d.vector(sent)
@@ -220,7 +225,7 @@ fn contribution(context: &Context, line: &Connection, ends: &[Vertex; 2], page: 
             VertexPlace::Surface(photon) => {
                 let received = photon.diffuse / std::f64::consts::PI * photon.power;
                 page.plain(format!(
-                    "received: ρ'/π·β = {}/π·{} = {}, with β the weight of the path from the eye at x'",
+                    "received: ρ′/π·β = {}/π·{} = {}, with β the weight of the path from the eye at x′",
                     d.vector(photon.diffuse),
                     d.vector(photon.power),
                     d.vector(received)
@@ -261,15 +266,15 @@ fn contribution(context: &Context, line: &Connection, ends: &[Vertex; 2], page: 
             // whole numbers, with all their digits
             let paths = samples * all;
             page.plain(format!(
-                "{paths} paths of light share the power of the lights, and this pixel has {samples} of them: \
-                 times W·H = {paths}/{samples} = {all}"
+                "{paths} paths of light share the power of the lights, and this pixel has {samples} of them, so the \
+                 factor is W·H = {paths}/{samples} = {all}"
             ));
             page.plain(format!(
-                "→ it adds {all}·{brings} = {}",
+                "→ the line adds {all}·{brings} = {}",
                 d.vector(all * line.contribution)
             ));
         }
-        });
+    });
 }
 
 fn connection_title(line: &Connection, ends: &[Vertex; 2]) -> String {

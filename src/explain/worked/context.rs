@@ -106,10 +106,12 @@ impl<'a> Context<'a> {
         }
     }
 
-    /// A light as it is called in the text.
-    pub(super) fn light_name(&self, light: u32) -> String {
+    /// A light as it is called in the text: `light "lamp"`.
+    pub(super) fn light_title(&self, light: u32) -> String {
         let light = self.scene.lights.get(light as usize);
-        light.map_or("?".into(), |light| printable(&light.name))
+        light.map_or("a light".into(), |light| {
+            format!("light \"{}\"", printable(&light.name))
+        })
     }
 
     /// W·H: how many pixels the picture has.

@@ -1,4 +1,4 @@
-//! Light that is gathered around a point that a ray from the eye has met.
+//! Light that is gathered around a point that a ray from the eye has hit.
 //!
 //! E = Σ power/area over the k − 1 nearest photons, and L = colour·diffuse/π·E.
 
@@ -16,7 +16,7 @@ use crate::explain::worked::pen::Pen;
 use crate::explain::worked::steps::Noted;
 use crate::trace::{Gathered, Kind, Nearby};
 
-/// So many of the nearest photons are shown, and so many of the farthest, unless all are wanted.
+/// How many of the nearest photons are shown, and how many of the farthest, unless all are asked for.
 const SHOWN: [usize; 2] = [3, 2];
 
 /// Light is gathered; of a filtered log either part may be missing.
@@ -39,7 +39,10 @@ pub(super) fn gather(
         format!(" on {}", context.name(gathered.working.object))
     });
     page.telling(begins, |page| {
-        page.plain(format!("Light that is stored around p{on}"));
+        page.headed(
+            Part::Gathered,
+            format!(" of the photons stored around p{on}"),
+        );
         page.indented(|page| {
             if nearest_shown {
                 nearby(context, nearest, page);
@@ -87,8 +90,8 @@ fn nearby(context: &Context, nearest: &[Noted<Nearby>], page: &mut Pen) {
 fn irradiance(context: &Context, nearest: &[Noted<Nearby>], gathered: &Gathered, page: &mut Pen) {
     let d = Digits::USUAL;
     if gathered.area == 0.0 {
-        let text = "no light is stored here: E = 0 and L = 0";
-        return page.line(Tone::Refused, text);
+        let text = ": no photon is stored here, so E = 0 and L = 0";
+        return page.headed_line(Tone::Refused, Part::Irradiance, text);
     }
     let area = d.number(gathered.area);
     let counted = gathered.count as usize;
@@ -96,18 +99,19 @@ fn irradiance(context: &Context, nearest: &[Noted<Nearby>], gathered: &Gathered,
         Some(radius) => {
             let disc = PI * radius * radius;
             let r = d.number(radius);
-            page.part(Part::Area).plain(format!(
-                    "r = {r}, to the last of the {}: the disc is so large because it is there, so that it counts \
-                     for nothing and the sum goes over {counted}",
-                    counted + 1
-                ));
-            // of a disc that reaches over an edge the difference is more than rounding
+            let text = format!(
+                ": a disc with r = {r}, the distance of the last of the {} photons; the disc ends at it, so the sum \
+                 is over the other {counted}",
+                counted + 1
+            );
+            page.headed(Part::Area, text);
+            // the difference of a disc that reaches over an edge is more than rounding
             let is_whole = (disc - gathered.area).abs() <= 1e-9 * disc;
             let text = if is_whole {
                 format!("area = π·r² = π·{r}² = {area}")
             } else {
                 format!(
-                    "area = {area}: what of the disc, π·r² = π·{r}² = {}, lies on the surface",
+                    "area = {area}, the part on the surface of the disc, π·r² = π·{r}² = {}",
                     d.number(disc)
                 )
             };
@@ -116,29 +120,29 @@ fn irradiance(context: &Context, nearest: &[Noted<Nearby>], gathered: &Gathered,
                 .unwrap_or(gathered.irradiance * gathered.area)
         }
         None => {
-            page.part(Part::Area).plain(format!(
-                "p lies in a cell of the surface's map, with {}; area = {area}",
+            let text = format!(
+                " = {area}: p is in a cell of the surface's map, with {}",
                 count(counted, "photon")
-            ));
+            );
+            page.headed(Part::Area, text);
             gathered.irradiance * gathered.area
         }
     };
-    page.part(Part::Irradiance).plain(format!(
-        "E = Σ power/area = {}/{area} = {}",
+    let text = format!(
+        ": E = Σ power/area = {}/{area} = {}",
         d.vector(power),
         d.vector(gathered.irradiance)
-    ));
-    let material = context.scene.material_of(gathered.object);
-    page.part(Part::Irradiance).line(
-        Tone::Found,
-        format!(
-            "L = colour·diffuse/π·E = {}·{}/π·{} = {}",
-            d.vector(material.colour.into()),
-            d.number(material.diffuse),
-            d.vector(gathered.irradiance),
-            d.vector(gathered.radiance)
-        ),
     );
+    page.headed(Part::Irradiance, text);
+    let material = context.scene.material_of(gathered.object);
+    let text = format!(
+        ": colour·diffuse/π·E = {}·{}/π·{} = {}",
+        d.vector(material.colour.into()),
+        d.number(material.diffuse),
+        d.vector(gathered.irradiance),
+        d.vector(gathered.radiance)
+    );
+    page.headed_line(Tone::Found, Part::Diffuse, text);
 }
 
 /// Σ power, counted channel by channel: a photon carries in each its whole share of the power or nothing.
@@ -158,13 +162,14 @@ fn sum_of_powers(photons: Option<&[Noted<Nearby>]>, page: &mut Pen) -> Option<DV
     let counts = DVec3::from([0, 1, 2].map(in_channel));
     let is_counted = (counts * each - sum).abs().max_element() <= 1e-9 * sum.max_element();
     if is_counted && 0.0 < each {
-        page.part(Part::Irradiance).plain(format!(
-            "Σ power = {}·{} = {}, in watts: so many of the {} photons carry each channel",
+        let text = format!(
+            ": Σ power = {}·{} = {}, in W, with how many of the {} photons carry each channel",
             d.number(each),
             d.vector(counts),
             d.vector(sum),
             photons.len()
-        ));
+        );
+        page.headed(Part::Irradiance, text);
     }
     Some(sum)
 }

@@ -20,16 +20,16 @@ use crate::trace::{
     RayNode, Record,
 };
 
-/// So many paths are told, and the others counted, unless all are wanted: more would hide the pixel.
+/// The number of paths that are written; the others are counted, unless all are asked for: more would hide the pixel.
 const TOLD: usize = 8;
 
-/// What is known of a path of light wherever it is spoken of.
+/// What is known of a path of light in every part of the text.
 #[derive(Clone, Debug, Default)]
 pub(super) struct KnownPath {
     pub(super) start: Option<PathStart>,
-    /// What met its surfaces, in order.
+    /// The photon at each of its surfaces, in order.
     pub(super) met: Vec<Photon>,
-    /// What came of it to the eye.
+    /// What of it arrived at the eye.
     pub(super) arrivals: Vec<Arrival>,
     /// Lines from it to the eye.
     pub(super) lines: Vec<Connection>,
@@ -38,7 +38,7 @@ pub(super) struct KnownPath {
 }
 
 impl KnownPath {
-    /// All paths that the records tell of.
+    /// All paths in the records.
     pub(super) fn all(records: &[Record]) -> BTreeMap<u32, Self> {
         let mut paths: BTreeMap<u32, Self> = BTreeMap::new();
         for record in records {
@@ -62,7 +62,7 @@ impl KnownPath {
     }
 }
 
-/// What of a path is told where it is told in brief.
+/// The kinds of event that a path in brief has words for.
 const IN_BRIEF: [Kind; 6] = [
     Kind::Path,
     Kind::Photon,
@@ -125,11 +125,7 @@ fn light_path(context: &Context, page: &mut Pen) {
                     Some(line) if !context.options.all && line.pixel != context.pixel => {
                         let items = rest[..length].iter();
                         let extent = Extent::around(items.map(|item| context.of_item(item)));
-                        page.telling(extent, |page| {
-                            page.of_part(Part::Contribution, |page| {
-                                line_elsewhere(context, &line, page);
-                            });
-                        });
+                        page.telling(extent, |page| line_elsewhere(context, &line, page));
                     }
                     _ => connection::connect(context, &joined, &[], page),
                 }
@@ -151,7 +147,7 @@ fn light_path(context: &Context, page: &mut Pen) {
     });
 }
 
-/// `Path 17 of light: from the light lamp, carries 150/768 = 0.195313 W in each channel`
+/// `Path 17 of light: from light "lamp", carries 150/768 = 0.195313 W in each channel`
 fn path_title(context: &Context, number: u32, known: &KnownPath) -> String {
     let d = Digits::USUAL;
     let Some(start) = known.start.filter(|_| context.shows(Kind::Path)) else {
@@ -171,15 +167,15 @@ fn path_title(context: &Context, number: u32, known: &KnownPath) -> String {
         "of all lights"
     };
     format!(
-        "Path {number} of light: from the light {}, carries {} W in each channel ({} W {of} over {} paths)",
-        context.light_name(start.light),
+        "Path {number} of light: from {}, carries {} W in each channel ({} W {of}, shared by {} paths)",
+        context.light_title(start.light),
         d.number(start.power.x),
         d.number(power),
         grouped(u64::from(start.paths))
     )
 }
 
-/// One leg of a path in a line, and what of it came to the eye: all of it is one step.
+/// One leg of a path in a line, and what of it arrived at the eye: all of it is one step.
 fn leg(context: &Context, place: usize, surface: u32, known: &KnownPath, page: &mut Pen) {
     let ray = &context.tree.rays[place];
     page.of_ray(ray.id, |page| {
@@ -189,10 +185,10 @@ fn leg(context: &Context, place: usize, surface: u32, known: &KnownPath, page: &
                     Some((_, photon)) => context.name(photon.object),
                     None => known
                         .start
-                        .map_or("the light".into(), |start| context.light_name(start.light)),
+                        .map_or("a light".into(), |start| context.light_title(start.light)),
                 };
                 let to = end_of_leg(context, ray, surface, known);
-                page.part(Part::Leg).plain(format!("{from} → {to}"));
+                page.headed(Part::Leg, format!(" {surface}: {from} → {to}"));
             }
             for item in &ray.items {
                 if let Item::Event(at) = *item
@@ -219,7 +215,7 @@ fn end_of_leg(context: &Context, ray: &RayNode, surface: u32, known: &KnownPath)
         });
         return match ray.end.map(|end| (end.outcome, end.object)) {
             Some((Outcome::CutOff, Some(object))) => format!(
-                "{}{at}: one surface more than a path may meet, cut off{carried}",
+                "{}{at}: beyond the most surfaces of a path, cut off{carried}",
                 context.name(object)
             ),
             Some((Outcome::Miss, _)) => format!("out of the scene{carried}"),
@@ -252,21 +248,21 @@ fn end_of_leg(context: &Context, ray: &RayNode, surface: u32, known: &KnownPath)
     format!("{}{at}: {stored}{becomes}", context.name(photon.object))
 }
 
-/// A line to the eye that does not come to the pixel that is told.
+/// A line to the eye through another pixel.
 fn line_elsewhere(context: &Context, line: &Connection, page: &mut Pen) {
     if !context.shows(Kind::Connection) {
         return;
     }
     let from = vertex::light_vertex(context, line.path, usize::from(line.light_vertex));
     let end = match line.pixel {
-        Some([x, y]) if line.visible => format!("comes to another pixel, ({x}, {y})"),
+        Some([x, y]) if line.visible => format!("goes through another pixel, ({x}, {y})"),
         _ => "is blocked".into(),
     };
-    let text = format!("the line from {} to the eye {end}", from.name);
-    page.line(Tone::Aside, text);
+    let text = format!(": none, the line from {} to the eye {end}", from.name);
+    page.headed_line(Tone::Aside, Part::Contribution, text);
 }
 
-/// Of a leg of a path of light that meets nothing more: with what it leaves. Told below its ray.
+/// The power that leaves the scene with a leg of a path of light that hits no surface. It is written below its ray.
 pub(super) fn leaves_with(context: &Context, ray: &RayNode) -> Option<String> {
     let path = context.records.first()?.path?;
     let start = ray.start.filter(|start| start.purpose == Purpose::Light)?;
@@ -275,13 +271,13 @@ pub(super) fn leaves_with(context: &Context, ray: &RayNode) -> Option<String> {
         .get(&path)?
         .carried_after(start.depth.checked_sub(1)?)?;
     Some(format!(
-        ": {} leaves the scene",
+        ", {} leaves the scene",
         Carries::Power.amount(power)
     ))
 }
 
 impl KnownPath {
-    /// What is carried on after so many surfaces.
+    /// What the path carries after its first `surfaces` surfaces.
     fn carried_after(&self, surfaces: u32) -> Option<DVec3> {
         match (surfaces as usize).checked_sub(1) {
             None => self.start.map(|start| start.power),

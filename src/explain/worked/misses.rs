@@ -7,7 +7,7 @@ use crate::explain::worked::steps::{Course, Step, Test, Told};
 use crate::geometry::{Fate, PlaneVerdict, Roots};
 use crate::trace::{Kind, Purpose};
 
-/// From so many tests on a ray's misses are summed up: more lines than a screen has would hide the hit.
+/// With this many tests on a ray its misses are summed up: more lines than a screen has would hide the hit.
 pub(super) const FOLDED_FROM: usize = 24;
 
 /// A run of misses longer than this is summed up, after its first.
@@ -17,7 +17,7 @@ pub(super) const LONGEST_UNFOLDED: usize = 3;
 pub(super) fn folded(context: &Context, run: &[Told], course: &Course, page: &mut Pen) {
     let beyond = match course.start {
         Some(start) if start.purpose == Purpose::Shadow => "beyond the light",
-        _ => "further than what is met already",
+        _ => "farther than the nearest hit so far",
     };
     let mut reasons: Vec<(&str, usize)> = Vec::new();
     let mut sum = 0;
@@ -53,12 +53,12 @@ pub(super) fn folded(context: &Context, run: &[Told], course: &Course, page: &mu
 fn reason_of(context: &Context, test: &Test, beyond: &'static str) -> Option<&'static str> {
     let fate = |fate| match fate {
         Fate::BeyondNearest => beyond,
-        Fate::Chosen => "met",
+        Fate::Chosen => "hit",
         Fate::Behind => "behind the origin",
         Fate::BelowEpsilon => "where the ray starts (t is 0 within ε)",
-        Fate::BackFace => "showing their back",
-        Fate::FrontFace => "showing their front",
-        Fate::BeyondEnds => "met beyond their ends",
+        Fate::BackFace => "with only the back on the ray",
+        Fate::FrontFace => "with only the front on the ray",
+        Fate::BeyondEnds => "beyond the ends of the surface",
     };
     let roots = |roots: &Roots| match roots.iter().last() {
         None => "without a real root",
@@ -73,14 +73,11 @@ fn reason_of(context: &Context, test: &Test, beyond: &'static str) -> Option<&'s
             _ => (Kind::BoxTest, roots(&test.roots)),
         },
         Test::Polygon { plane, inside, .. } => match (plane, inside) {
-            (_, Some(_)) => (
-                Kind::PolygonTest,
-                "whose plane is met outside of the outline",
-            ),
+            (_, Some(_)) => (Kind::PolygonTest, "with p outside the outline"),
             (Some(plane), None) => match plane.working.verdict {
                 PlaneVerdict::Meets(root) => (Kind::PlaneTest, fate(root.fate)),
                 PlaneVerdict::ParallelBeside => (Kind::PlaneTest, "parallel to the ray"),
-                PlaneVerdict::ParallelWithin => (Kind::PlaneTest, "in whose plane the ray lies"),
+                PlaneVerdict::ParallelWithin => (Kind::PlaneTest, "whose plane contains the ray"),
             },
             (None, None) => return None,
         },

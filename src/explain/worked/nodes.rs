@@ -2,6 +2,7 @@
 
 use crate::explain::number::Digits;
 use crate::explain::page::Tone;
+use crate::explain::part::Part;
 use crate::explain::worked::context::Context;
 use crate::explain::worked::count;
 use crate::explain::worked::leaves::Leaves;
@@ -11,7 +12,7 @@ use crate::explain::worked::steps::Course;
 use crate::structure::MergeStep;
 use crate::trace::{NodeOutcome, NodeVisit, QueueAction, QueueStep};
 
-/// What became of a node. One that was refused a line before needs no second line.
+/// The verdict on a node. One that was rejected a line before needs no second line.
 pub(super) fn node(context: &Context, visit: &NodeVisit, course: &Course, page: &mut Pen) {
     let told = course.last.filter(|last| context.shows(last.kind()));
     if refused_node(told.as_ref()) == Some(visit.node) {
@@ -23,16 +24,17 @@ pub(super) fn node(context: &Context, visit: &NodeVisit, course: &Course, page: 
     } else {
         format!("with {}", count(visit.children as usize, "child node"))
     };
-    let node = format!("Node {}, depth {}, {below}", visit.node, visit.depth);
+    let node = format!(" {}, depth {}, {below}", visit.node, visit.depth);
     let near = visit.near.map_or(String::new(), |near| d.number(near));
-    match visit.outcome {
-        NodeOutcome::Entered => page.line(Tone::Found, format!("{node}: entered")),
-        NodeOutcome::Rejected => page.line(Tone::Refused, format!("{node}: rejected")),
-        NodeOutcome::Pruned => page.line(
-            Tone::Refused,
-            format!("{node}: pruned, it begins at {near}, behind the nearest hit by now"),
-        ),
-    }
+    let (tone, verdict) = match visit.outcome {
+        NodeOutcome::Entered => (Tone::Found, "entered".into()),
+        NodeOutcome::Rejected => (Tone::Refused, "rejected".into()),
+        NodeOutcome::Pruned => {
+            let why = format!("pruned, it begins at t = {near}, behind the nearest hit so far");
+            (Tone::Refused, why)
+        }
+    };
+    page.headed_line(tone, Part::Node, format!("{node}: {verdict}"));
 }
 
 /// A node goes into the heap or comes out of it.
@@ -55,22 +57,21 @@ pub(super) fn queue(step: &QueueStep, course: &Course, page: &mut Pen) {
     };
     let text = match step.action {
         QueueAction::Push => {
-            format!("heap: node {node} goes in with key {key}{inside}; {waiting}")
+            format!(": node {node} goes in with key {key}{inside}; {waiting}")
         }
-        QueueAction::Pop => format!("heap: node {node} is the nearest, key {key}; {waiting}"),
+        QueueAction::Pop => format!(": node {node} is the nearest, key {key}; {waiting}"),
         QueueAction::Stop => {
             let left = match step.size {
                 0 => String::new(),
-                1 => ", and 1 other node is not looked at".into(),
-                size => format!(", and {size} other nodes are not looked at"),
+                1 => "; 1 other node is not visited".into(),
+                size => format!("; {size} other nodes are not visited"),
             };
             format!(
-                "heap: the nearest node, {node}, has key {key}, behind the nearest hit: the search \
-                     ends{left}"
+                ": node {node} is the nearest, key {key}, behind the nearest hit: the search ends{left}"
             )
         }
     };
-    page.line(Tone::Aside, text);
+    page.headed_line(Tone::Aside, Part::Heap, text);
 }
 
 /// D_min and D_max of two volumes together.

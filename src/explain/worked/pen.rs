@@ -1,5 +1,7 @@
 //! What writes a page: each line as deep as what it belongs to, with the ray and the events that it is about.
 
+use std::fmt;
+
 use crate::explain::page::{Fold, Line, Tone, Unfold};
 use crate::explain::part::Part;
 use crate::explain::worked::extent::Extent;
@@ -14,6 +16,8 @@ pub(super) struct Pen {
     extent: Option<Extent>,
     part: Option<Part>,
     next_part: Option<Part>,
+    /// What is said once on a page.
+    said: Vec<&'static str>,
 }
 
 /// A line whose steps are not settled.
@@ -48,7 +52,37 @@ impl Pen {
         self.line(Tone::Plain, text);
     }
 
-    /// A line that stands for so many things that [`WorkedOptions::all`](crate::explain::WorkedOptions::all) shows.
+    /// The first line of a part: the name of the part, then the words.
+    pub(super) fn headed(&mut self, part: Part, words: impl fmt::Display) {
+        self.headed_line(Tone::Plain, part, words);
+    }
+
+    /// The same in a tone.
+    pub(super) fn headed_line(&mut self, tone: Tone, part: Part, words: impl fmt::Display) {
+        self.part(part).line(tone, format!("{part}{words}"));
+    }
+
+    /// What a part comes to: an arrow, its name, then the words.
+    pub(super) fn result(&mut self, tone: Tone, part: Part, words: impl fmt::Display) {
+        self.part(part).line(tone, format!("→ {part}{words}"));
+    }
+
+    /// The heading of a part, with the words that follow its name.
+    pub(super) fn titled(&mut self, part: Part, words: impl fmt::Display) {
+        let title = part.title();
+        self.part(part)
+            .line(Tone::Heading, format!("{title}{words}"));
+    }
+
+    /// Says something once on a page, however often it holds: how the program computes what the text shows.
+    pub(super) fn once(&mut self, part: Part, words: &'static str) {
+        if !self.said.contains(&words) {
+            self.said.push(words);
+            self.part(part).line(Tone::Aside, words);
+        }
+    }
+
+    /// A line in place of `hidden` others, which [`WorkedOptions::all`](crate::explain::WorkedOptions::all) shows.
     pub(super) fn folded(&mut self, hidden: usize, text: impl Into<String>) {
         let shown_by = Unfold::All;
         self.line(Tone::Folded(Fold { hidden, shown_by }), text);

@@ -1,13 +1,14 @@
-//! Chance at a surface: what becomes of a photon, or of a path from the eye, which meets surfaces in the same way.
+//! Russian roulette at a surface: what becomes of a photon, or of a path from the eye, which is treated in the same way.
 //!
-//! One number ξ decides for all channels: below the reflection it is mirrored, below reflection + transmission
-//! refracted, and below that and a channel's colour·diffuse that channel goes on diffusely. What goes on keeps what
-//! it carries.
+//! One random number ξ decides for all channels: below the reflection the photon is mirrored, below reflection +
+//! transmission refracted, and below the sum of these and a channel's colour·diffuse that channel is reflected
+//! diffusely. What continues keeps what it carries.
 
 use glam::DVec3;
 
 use crate::explain::number::Digits;
 use crate::explain::page::Tone;
+use crate::explain::part::Part;
 use crate::explain::worked::context::Context;
 use crate::explain::worked::pen::Pen;
 use crate::explain::worked::steps::Course;
@@ -17,7 +18,7 @@ use crate::trace::{Kind, Photon, PhotonFate, Purpose, RayStart, Stored};
 /// The channels of a colour.
 const CHANNELS: [&str; 3] = ["red", "green", "blue"];
 
-/// Chance decides at a surface.
+/// Russian roulette at a surface.
 pub(super) fn photon(context: &Context, photon: &Photon, course: &Course, page: &mut Pen) {
     if !context.shows(Kind::Photon) {
         return;
@@ -25,16 +26,14 @@ pub(super) fn photon(context: &Context, photon: &Photon, course: &Course, page: 
     let d = Digits::USUAL;
     let carries = Carries::along(course.start);
     let chance = d.number(photon.chance);
-    page.plain(format!(
-        "Chance decides: ξ = {chance}; {} arrives",
-        carries.amount(photon.power)
-    ));
+    let text = format!(": ξ = {chance}; {} arrives", carries.amount(photon.power));
+    page.headed(Part::Roulette, text);
     page.indented(|page| {
         let material = context.scene.material_of(photon.object);
         let (reflection, transmission) = (photon.reflection, photon.transmission);
         if photon.transmission == 0.0 && 0.0 < material.transmission {
             page.plain(format!(
-                "total internal reflection: the reflection takes over the transmission, {} + {} = {}",
+                "total internal reflection: the reflection gets the transmission too, {} + {} = {}",
                 d.number(material.reflection),
                 d.number(material.transmission),
                 d.number(reflection)
@@ -68,15 +67,15 @@ pub(super) fn photon(context: &Context, photon: &Photon, course: &Course, page: 
                 format!("{} + {} = {sum}", d.vector(first), d.vector(second))
             };
             page.plain(format!(
-                "{before} = {sum}, and ξ is below where a channel goes on: {}",
+                "{before} = {sum}; a channel continues if ξ is less: {}",
                 channels(photon)
             ));
         }
         let (tone, verdict) = match photon.fate {
-            PhotonFate::Mirrored => (Tone::Found, "goes on in the mirror direction"),
-            PhotonFate::Refracted => (Tone::Found, "goes on through the surface"),
-            PhotonFate::Diffused => (Tone::Found, "goes on in a direction of chance"),
-            PhotonFate::Absorbed => (Tone::Refused, "goes on: the path ends here"),
+            PhotonFate::Mirrored => (Tone::Found, "continues in the mirror direction"),
+            PhotonFate::Refracted => (Tone::Found, "continues through the surface"),
+            PhotonFate::Diffused => (Tone::Found, "continues in a random direction"),
+            PhotonFate::Absorbed => (Tone::Refused, "continues, so the path ends here"),
         };
         let leaving = photon.leaving();
         let on = match photon.fate {
@@ -89,32 +88,30 @@ pub(super) fn photon(context: &Context, photon: &Photon, course: &Course, page: 
         } else {
             match carries {
                 Carries::Power => format!("; {} is absorbed", carries.amount(absorbed)),
-                Carries::Weight => format!("; {} of it is lost", d.vector(absorbed)),
+                Carries::Weight => format!("; {} of it is absorbed", d.vector(absorbed)),
             }
         };
         page.line(tone, format!("→ {on} {verdict}{absorbed}"));
-        });
+    });
 }
 
-/// A photon is stored where it meets a diffuse surface.
+/// A photon is stored where it hits a diffuse surface.
 pub(super) fn stored(context: &Context, stored: &Stored, page: &mut Pen) {
     if !context.shows(Kind::Stored) {
         return;
     }
     let d = Digits::USUAL;
-    page.line(
-        Tone::Found,
-        format!(
-            "→ stored on {} at {}, on the side of {}: {}",
-            context.name(stored.object),
-            d.vector(stored.point),
-            d.vector(stored.normal),
-            Carries::Power.amount(stored.power)
-        ),
+    let text = format!(
+        ": {} on {} at {}, on the side of the normal {}",
+        Carries::Power.amount(stored.power),
+        context.name(stored.object),
+        d.vector(stored.point),
+        d.vector(stored.normal)
     );
+    page.result(Tone::Found, Part::Stored, text);
 }
 
-/// How a path goes on from the surface before: its direction.
+/// The direction in which a path continues from the surface before.
 pub(super) fn direction_of_leg(context: &Context, place: usize) -> Option<String> {
     let d = Digits::USUAL;
     let direction = context.tree.rays[place].start?.ray.direction;
@@ -123,7 +120,7 @@ pub(super) fn direction_of_leg(context: &Context, place: usize) -> Option<String
     let normal = vertex::normal_towards(context, &photon, -incoming);
     Some(match photon.fate {
         PhotonFate::Mirrored => format!(
-            "Δ = Δ' - 2(Δ'·N)N = {} - 2·{}·{} = {}, with Δ' the direction it came in",
+            "Δ = Δ′ − 2(Δ′·N)N = {} − 2·{}·{} = {}, with Δ′ the incoming direction",
             d.vector(incoming),
             d.factor(incoming.dot(normal)),
             d.vector(normal),
@@ -131,7 +128,7 @@ pub(super) fn direction_of_leg(context: &Context, place: usize) -> Option<String
         ),
         PhotonFate::Refracted => format!("Δ = T = {}", d.vector(direction)),
         PhotonFate::Diffused | PhotonFate::Absorbed => format!(
-            "Δ = {}: a direction of chance around N = {}, with a density of cos θ/π per steradian",
+            "Δ = {}: a random direction around N = {}, pdf cos θ/π per steradian",
             d.vector(direction),
             d.vector(normal)
         ),
@@ -143,7 +140,7 @@ pub(super) fn direction_of_leg(context: &Context, place: usize) -> Option<String
 pub(super) enum Carries {
     /// Watts.
     Power,
-    /// What a path from the eye multiplies the light with that it finds.
+    /// The factor by which a path from the eye multiplies the light that it finds.
     Weight,
 }
 
@@ -155,12 +152,12 @@ impl Carries {
         }
     }
 
-    /// `(0.5, 0, 0) W` or `β = (1, 1, 1)`.
+    /// `(0.5, 0, 0) W` or `weight β (1, 1, 1)`.
     pub(super) fn amount(self, carried: DVec3) -> String {
         let vector = Digits::USUAL.vector(carried);
         match self {
             Self::Power => format!("{vector} W"),
-            Self::Weight => format!("a weight β of {vector}"),
+            Self::Weight => format!("weight β {vector}"),
         }
     }
 }
@@ -177,7 +174,7 @@ fn below(chance: f64, limit: f64) -> String {
     format!("{} {sign} {}", d.number(chance), d.number(limit))
 }
 
-/// Which channels go on diffusely: `red and green go on, blue does not`.
+/// Which channels are reflected diffusely: `red and green continue, blue does not`.
 pub(super) fn channels(photon: &Photon) -> String {
     let limit = photon.reflection + photon.transmission;
     let is_below = |channel: usize| photon.chance < limit + photon.diffuse[channel];
@@ -188,13 +185,17 @@ pub(super) fn channels(photon: &Photon) -> String {
             .collect()
     };
     let (on, ends) = (of(true), of(false));
-    let goes = if on.len() == 1 { "goes" } else { "go" };
+    let goes_on = if on.len() == 1 {
+        "continues"
+    } else {
+        "continue"
+    };
     let does = if ends.len() == 1 { "does" } else { "do" };
     match (on.as_slice(), ends.as_slice()) {
-        ([], _) => "no channel goes on".into(),
-        (_, []) => "all channels go on".into(),
+        ([], _) => "no channel continues".into(),
+        (_, []) => "all channels continue".into(),
         _ => format!(
-            "{} {goes} on, {} {does} not",
+            "{} {goes_on}, {} {does} not",
             on.join(" and "),
             ends.join(" and ")
         ),
@@ -206,7 +207,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn channels_go_on_where_chance_is_below_their_sum() {
+    fn channels_continue_where_the_random_number_is_below_their_sum() {
         let photon = |chance| Photon {
             chance,
             reflection: 0.1,
@@ -215,10 +216,10 @@ mod tests {
             ..Photon::default()
         };
         for (chance, words) in [
-            (0.2, "all channels go on"),
-            (0.4, "red and green go on, blue does not"),
-            (0.5, "red goes on, green and blue do not"),
-            (0.95, "no channel goes on"),
+            (0.2, "all channels continue"),
+            (0.4, "red and green continue, blue does not"),
+            (0.5, "red continues, green and blue do not"),
+            (0.95, "no channel continues"),
         ] {
             assert_eq!(channels(&photon(chance)), words);
         }

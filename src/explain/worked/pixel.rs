@@ -1,9 +1,8 @@
-//! The pixel: where its rays pass the window, the rays, and the colour that they make.
+//! The pixel: where its rays pass the window, the rays, and the colour of the pixel.
 
 use glam::DVec3;
 
 use crate::explain::number::{Digits, grouped};
-use crate::explain::page::Tone;
 use crate::explain::part::Part;
 use crate::explain::worked::context::Context;
 use crate::explain::worked::count;
@@ -12,17 +11,17 @@ use crate::explain::worked::pen::Pen;
 use crate::explain::worked::{connection, ray, seen, vertex};
 use crate::trace::{Event, Item, Kind, Photon, PixelColour, PixelSample, Through, Transport};
 
-/// So many terms of a sum are written out, unless all are wanted: a line has room for no more.
+/// The number of terms of a sum that are written out, unless all are asked for: a line has room for no more.
 const TERMS: usize = 12;
 
-/// What the parts of a pixel have brought, while it is told.
+/// What the rays and lines of a pixel have brought so far.
 #[derive(Debug, Default)]
 struct Brought {
-    /// What each eye ray brings back.
+    /// The colour that each eye ray returns.
     rays: Vec<DVec3>,
     /// What the lines of each path from the eye add, times W·H.
     paths: Vec<DVec3>,
-    /// The surfaces that the path from the eye has met.
+    /// The photons at the surfaces of the path from the eye.
     eye: Vec<Photon>,
 }
 
@@ -69,7 +68,7 @@ pub(super) fn pixel(context: &Context, page: &mut Pen) {
     }
 }
 
-/// One ray alone; one that connects with all that its line comes to. Its events are those of the page.
+/// One ray alone, or a connecting ray with its whole connection. Returns the events of the page.
 pub(super) fn one_ray(context: &Context, id: u32, page: &mut Pen) -> Option<Extent> {
     let wanted = context.tree.find(id)?;
     let items = &context.tree.items;
@@ -108,16 +107,15 @@ fn window_point(context: &Context, sample: &PixelSample, page: &mut Pen) {
     let number = format!("{} of {}", sample.sample + 1, sample.samples);
     let place = match (context.settings.transport, context.settings.through) {
         (Transport::Forward, _) => {
-            "The pixel's centre on the window: no ray is sent from it, photons come to the pixel"
-                .into()
+            ": the pixel's centre; no ray is cast through it, photons arrive at the pixel".into()
         }
         (Transport::HybridConnected, _) => {
-            format!("Path {number} from the eye: a place of chance in the pixel")
+            format!(" of path {number} from the eye: a random point in the pixel")
         }
-        (_, Through::Centres) => "The pixel's centre on the window".into(),
-        (_, Through::Corners) => format!("Corner {number} on the window"),
+        (_, Through::Centres) => ": the pixel's centre".into(),
+        (_, Through::Corners) => format!(": corner {number} of the pixel"),
     };
-    page.line(Tone::Heading, place);
+    page.titled(Part::WindowPoint, place);
     let (across, down) = (
         sample.place.x / f64::from(width),
         1.0 - sample.place.y / f64::from(height),
@@ -132,7 +130,7 @@ fn window_point(context: &Context, sample: &PixelSample, page: &mut Pen) {
             d.number(sample.place.y)
         ),
         format!(
-            "P = corner + {}/{width}·right + (1 - {}/{height})·up",
+            "P = corner + {}/{width}·right + (1 − {}/{height})·up",
             d.number(sample.place.x),
             d.number(sample.place.y)
         ),
@@ -159,7 +157,7 @@ fn pixel_colour(context: &Context, colour: &PixelColour, brought: &Brought, page
     }
     let d = Digits::USUAL;
     page.gap();
-    page.line(Tone::Heading, "The pixel's colour");
+    page.titled(Part::PixelColour, "");
     let mut lines = match context.settings.transport {
         Transport::Forward => sum_of_arrivals(context, colour.raw),
         Transport::HybridConnected => sum_of_lines(context, colour.raw, &brought.paths),
@@ -168,10 +166,10 @@ fn pixel_colour(context: &Context, colour: &PixelColour, brought: &Brought, page
         }
     };
     if colour.raw != colour.clamped {
-        lines.push(format!("cut to 0..1: {}", d.vector(colour.clamped)));
+        lines.push(format!("clamped to 0..1: {}", d.vector(colour.clamped)));
     }
     let [r, g, b] = colour.rgb();
-    lines.push(format!("in the picture, times 255: ({r}, {g}, {b})"));
+    lines.push(format!("times 255, in the picture: ({r}, {g}, {b})"));
     page.indented(|page| {
         for line in lines {
             page.plain(line);
@@ -179,7 +177,7 @@ fn pixel_colour(context: &Context, colour: &PixelColour, brought: &Brought, page
     });
 }
 
-/// What photons have brought to the pixel.
+/// The radiance that photons bring to the pixel.
 fn sum_of_arrivals(context: &Context, raw: DVec3) -> Vec<String> {
     let paths = grouped(context.settings.light.paths);
     let arrivals = seen::arrivals_here(context);
@@ -187,22 +185,19 @@ fn sum_of_arrivals(context: &Context, raw: DVec3) -> Vec<String> {
     if raw == DVec3::ZERO && arrivals.is_empty() {
         let pinhole = light.aperture_radius(&context.scene.camera) == 0.0;
         let why = if pinhole {
-            ": the eye's aperture is a point, which no photon ever meets"
+            ": the eye's aperture is a point, which no photon ever hits"
         } else {
             ""
         };
-        let text = format!("none of {paths} photons has come through this pixel into the eye{why}");
+        let text = format!("none of {paths} photons passes this pixel into the eye{why}");
         return vec![text, "nothing arrives: (0, 0, 0)".into()];
     }
     let radiances: Vec<DVec3> = arrivals.iter().map(|&(_, radiance)| radiance).collect();
-    let what = format!(
-        "what {} of {paths} brought",
-        count(arrivals.len(), "photon")
-    );
+    let what = format!("from {} of {paths}", count(arrivals.len(), "photon"));
     vec![written_sum(context, &what, &radiances, raw)]
 }
 
-/// What the lines have brought: those of the pixel's own paths, and those of paths of light to the eye.
+/// The radiance of the lines: those of the pixel's own paths, and those of paths of light to the eye.
 fn sum_of_lines(context: &Context, raw: DVec3, paths: &[DVec3]) -> Vec<String> {
     let lines: Vec<DVec3> = context
         .paths
@@ -215,15 +210,15 @@ fn sum_of_lines(context: &Context, raw: DVec3, paths: &[DVec3]) -> Vec<String> {
     let seen: DVec3 = lines.iter().sum();
     let mut told = vec![written_sum(
         context,
-        &format!("what the lines of {} bring", count(paths.len(), "eye path")),
+        &format!("from the lines of {}", count(paths.len(), "eye path")),
         paths,
         own,
     )];
     if lines.is_empty() {
-        told.push("no line from a path of light to the eye comes through this pixel".into());
+        told.push("no line from a path of light to the eye passes this pixel".into());
     } else {
         let what = format!(
-            "what {} from paths of light to the eye brings",
+            "from {} of paths of light to the eye",
             count(lines.len(), "line")
         );
         told.push(written_sum(context, &what, &lines, seen));
@@ -256,15 +251,15 @@ fn written_sum(context: &Context, what: &str, terms: &[DVec3], sum: DVec3) -> St
     format!("{what}: {} = {}", texts.join(" + "), d.vector(sum))
 }
 
-/// What the eye rays have brought back.
+/// The colour that the eye rays return.
 fn of_eye_rays(raw: DVec3, of_rays: &[DVec3]) -> String {
     let d = Digits::USUAL;
     if of_rays.len() < 2 {
-        return format!("what the eye ray brings back: {}", d.vector(raw));
+        return format!("from the eye ray: {}", d.vector(raw));
     }
     let terms: Vec<_> = of_rays.iter().map(|&c| d.vector(c)).collect();
     format!(
-        "the mean of its {} eye rays: [{}] / {} = {}",
+        "the mean of {} eye rays: [{}] / {} = {}",
         of_rays.len(),
         terms.join(" + "),
         of_rays.len(),

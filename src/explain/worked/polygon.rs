@@ -42,9 +42,7 @@ pub(super) fn polygon(
     page.indented(|page| {
         if let Some(test) = of_plane.filter(|_| context.shows(Kind::PlaneTest)) {
             page.telling(test.extent, |page| {
-                page.of_part(Part::PlaneT, |page| {
-                    plane(&test.working, course, full, page);
-                });
+                plane(&test.working, course, full, page);
             });
         }
         let Some(inside) = inside else { return };
@@ -69,12 +67,11 @@ pub(super) fn polygon(
 fn verdict(test: &PolygonTest, page: &mut Pen) {
     let number = count(test.crossings as usize, "crossing");
     let (tone, verdict) = if test.inside {
-        (Tone::Found, "an odd number: p lies inside, a hit")
+        (Tone::Found, "an odd number, so p lies inside: a hit")
     } else {
-        (Tone::Refused, "an even number: p lies outside, missed")
+        (Tone::Refused, "an even number, so p lies outside: missed")
     };
-    page.part(Part::InsideOut)
-        .line(tone, format!("{number}, {verdict}"));
+    page.headed_line(tone, Part::InsideOut, format!(": {number}, {verdict}"));
 }
 
 /// t = −(A·x₀ + B·y₀ + C·z₀ + D)/(A·Δx + B·Δy + C·Δz) … (v)
@@ -92,110 +89,122 @@ fn plane(test: &PlaneTest, course: &Course, full: bool, page: &mut Pen) {
         None => Digits::USUAL,
     };
     let equation = format!(
-        "{}·x {}·y {}·z {} = 0 … (iv)",
-        d.number(x),
-        d.term(y),
-        d.term(z),
+        ": {} {} {} {} = 0 … (iv)",
+        d.times(x, "x"),
+        d.term_times(y, "y"),
+        d.term_times(z, "z"),
         d.term(plane.d)
     );
     let PlaneVerdict::Meets(root) = test.verdict else {
-        page.part(Part::Plane).plain(equation);
+        page.headed(Part::Plane, equation);
         let within = test.verdict == PlaneVerdict::ParallelWithin;
         let verdict = if within {
-            "numerator and denominator of (v) are 0: the ray lies in the plane, no intersection"
+            ": none, numerator and denominator of (v) are 0: the ray lies in the plane, missed"
         } else {
-            "the denominator of (v) is 0: the ray is parallel to the plane, no intersection"
+            ": none, the denominator of (v) is 0: the ray is parallel to the plane, missed"
         };
-        page.line(Tone::Refused, verdict);
+        page.headed_line(Tone::Refused, Part::PlaneT, verdict);
         return;
     };
-    page.part(Part::Plane).plain(equation);
+    page.headed(Part::Plane, equation);
     // a flat ray's t may have been moved from here, most often by less than is printed
     let quotient = -test.numerator / test.denominator;
     match course.ray().filter(|_| full) {
         Some(ray) => {
-            page.plain("t = -(A·x₀ + B·y₀ + C·z₀ + D)/(A·Δx + B·Δy + C·Δz) … (v)");
-            page.plain(format!(
-                "  = -({} {})/({})",
+            let formula = " = −(A·x₀ + B·y₀ + C·z₀ + D)/(A·Δx + B·Δy + C·Δz) … (v)";
+            page.headed(Part::PlaneT, formula);
+            page.part(Part::PlaneT).plain(format!(
+                "  = −({} {})/({})",
                 d.dot(plane.normal, ray.origin),
                 d.term(plane.d),
                 d.dot(plane.normal, ray.direction)
             ));
-            page.plain(format!(
-                "  = -{}/{} = {}",
+            page.part(Part::PlaneT).plain(format!(
+                "  = −{}/{} = {}",
                 d.factor(test.numerator),
                 d.factor(test.denominator),
                 d.number(quotient)
             ));
         }
-        None => page.plain(format!(
-            "t = -{}/{} = {} … (v)",
-            d.factor(test.numerator),
-            d.factor(test.denominator),
-            d.number(quotient)
-        )),
+        None => {
+            let text = format!(
+                " = −{}/{} = {} … (v)",
+                d.factor(test.numerator),
+                d.factor(test.denominator),
+                d.number(quotient)
+            );
+            page.headed(Part::PlaneT, text);
+        }
     }
     if d.number(quotient) != d.number(root.t) {
-        page.plain(format!(
-            "so flat a ray stretches the rounding: the nearest t within the outline is {}",
+        page.part(Part::PlaneT).plain(format!(
+            "the ray is nearly parallel to the plane, which magnifies the rounding of t: the nearest t inside the \
+             outline is {}",
             d.number(root.t)
         ));
     }
     if test.chosen().is_none() {
         let text = format!("{}: missed", fate(root, None, course));
-        page.line(Tone::Refused, text);
+        page.part(Part::PlaneT).line(Tone::Refused, text);
     }
 }
 
-/// p, the dropped coordinate and p′.
+/// p, the axis whose coordinate is dropped, and p′.
 fn projection(test: &PolygonTest, course: &Course, page: &mut Pen) {
     let d = Digits::USUAL;
-    if course.aligned.is_some() {
-        page.part(Part::Projection).plain(format!(
-            "p = {} lies on the z axis; z is dropped, along the ray: p' = {}",
-            d.vector(test.point),
-            d.point(test.projected)
-        ));
-        return;
-    }
     let (letter, coefficient) = match test.dropped {
         Axis::X => ("x", "A"),
         Axis::Y => ("y", "B"),
         Axis::Z => ("z", "C"),
     };
-    page.part(Part::Projection).plain(format!(
-        "p = o + t·Δ = {}; |{coefficient}| = {} is the largest, so {letter} is dropped: p' = {}",
-        d.vector(test.point),
-        d.number(test.coefficient.abs()),
-        d.point(test.projected)
-    ));
+    let (of_point, of_axis) = if course.aligned.is_some() {
+        let of_axis = ": z, along which the ray runs, is dropped".into();
+        (
+            format!(" = {}, on the z axis", d.vector(test.point)),
+            of_axis,
+        )
+    } else {
+        let size = d.number(test.coefficient.abs());
+        let of_axis = format!(
+            ": |{coefficient}| = {size} is the largest coefficient, so {letter} is dropped"
+        );
+        (format!(" = o + t·Δ = {}", d.vector(test.point)), of_axis)
+    };
+    page.headed(Part::PlanePoint, of_point);
+    page.headed(Part::Axis, of_axis);
+    page.headed(Part::Projection, format!(" = {}", d.point(test.projected)));
 }
 
 /// Each edge and whether it counts. Where some are left out, all edges are one step.
 fn edges(context: &Context, edges: &[Noted<EdgeTest>], test: &PolygonTest, page: &mut Pen) {
     let by_ray = test.decided_by == DecidedBy::Ray;
-    if by_ray {
-        page.plain(
-            "p' is within its rounding of an edge, so the side on which the ray itself passes each \
-             edge decides: an edge counts if ray and edge span a volume of 0 or more (exact)",
-        );
-    }
     let many = !context.options.all && EDGES_SHOWN < edges.len();
     let is_shown = |edge: &&Noted<EdgeTest>| !many || edge.working.straddles;
     let left_out = edges.len() - edges.iter().filter(is_shown).count();
     let all = Extent::around(edges.iter().map(|edge| edge.extent)).filter(|_| 0 < left_out);
-    for edge in edges.iter().filter(is_shown) {
-        page.telling(all.unwrap_or(edge.extent), |page| {
-            page.plain(edge_text(&edge.working, test, by_ray));
+    let head = if by_ray {
+        ": p′ is closer to an edge than its rounding, so the edges are tested against the ray itself; an edge \
+         counts if the ray and the edge span a volume of 0 or more (exact)"
+    } else {
+        ": an edge counts if it crosses the half-line that runs from p′ to the right"
+    };
+    if let Some(first) = edges.first() {
+        page.telling(all.unwrap_or(first.extent), |page| {
+            page.headed(Part::Crossings, head);
         });
     }
-    if 0 < left_out {
-        let text = format!(
-            "… {} lie wholly above or below p'",
-            count(left_out, "more edge")
-        );
-        page.telling(all, |page| page.folded(left_out, text));
-    }
+    page.indented(|page| {
+        for edge in edges.iter().filter(is_shown) {
+            page.telling(all.unwrap_or(edge.extent), |page| {
+                page.plain(edge_text(&edge.working, test, by_ray));
+            });
+        }
+        if 0 < left_out {
+            let lie = if left_out == 1 { "lies" } else { "lie" };
+            let text = format!("… {} {lie} above or below p′", count(left_out, "more edge"));
+            page.telling(all, |page| page.folded(left_out, text));
+        }
+    });
 }
 
 /// An edge and whether it counts.
@@ -203,10 +212,10 @@ fn edge_text(edge: &EdgeTest, test: &PolygonTest, by_ray: bool) -> String {
     let d = Digits::USUAL;
     let verdict = match (edge.straddles, by_ray) {
         (false, false) => level(edge, test),
-        (false, true) => "both ends lie on one side of the ray: does not count".into(),
+        (false, true) => "both ends are on one side of the ray, does not count".into(),
         (true, false) => crossing(edge, test, d),
         (true, true) => format!(
-            "6 times the volume is {}: {}",
+            "spans a volume of {}/6, {}",
             d.number(edge.side),
             counts(edge.counts)
         ),
@@ -230,7 +239,7 @@ fn level(edge: &EdgeTest, test: &PolygonTest) -> String {
     } else {
         "below"
     };
-    format!("lies {place} p', does not count")
+    format!("lies {place} p′, does not count")
 }
 
 /// An edge that crosses the level of p′: to the right of it, where the half-line runs, or to the left.
@@ -239,7 +248,7 @@ fn crossing(edge: &EdgeTest, test: &PolygonTest, d: Digits) -> String {
     let at = edge.from.x + along.x * (test.projected.y - edge.from.y) / along.y;
     let side = if edge.counts { "right" } else { "left" };
     format!(
-        "crosses the level of p' at {}, to the {side} of {}: {}",
+        "crosses the level of p′ at {}, to the {side} of {}, {}",
         d.number(at),
         d.number(test.projected.x),
         counts(edge.counts)

@@ -1,4 +1,4 @@
-//! Sphere, ellipsoid and cone: the quadratic with its numbers, its roots and their fates.
+//! Sphere, ellipsoid and cone: the quadratic with its numbers, and its roots, each with its verdict.
 
 use glam::DVec3;
 
@@ -38,13 +38,13 @@ pub(super) fn sphere(
     object_line(context, object, &what, page);
     let offset = ray.origin - center;
     page.indented(|page| {
-        page.part(Part::Frame).plain("a·t² + b·t + c = 0 … (iii)");
-        let given = format!("o - center = {}", precise(test, offset).vector(offset));
-        page.part(Part::Frame).plain(given);
+        let given = precise(test, offset).vector(offset);
+        page.headed(Part::Frame, format!(": o − center = {given}"));
         coefficients(&Ray::new(offset, ray.direction), radius, test, page);
         roots(test, page);
-        if course.aligned.is_some() {
-            aligned::sphere_at_axis(center, radius, page);
+        match course.aligned {
+            Some(_) => aligned::sphere_at_axis(center, radius, page),
+            None => page.once(Part::Discriminant, COMPUTED_FOR_SPHERE),
         }
         verdict(&test.roots, course, page);
     });
@@ -78,23 +78,24 @@ pub(super) fn ellipsoid(
         // its half axes h are turned
         Some(aligned) => (
             ellipsoid.unit_ray(&aligned),
-            "hᵢ·(o - center)/rᵢ²",
+            "hᵢ·(o − center)/rᵢ²",
             "hᵢ·Δ/rᵢ²",
         ),
         None => (
             Ray::new((ray.origin - center) / radii, ray.direction / radii),
-            "(o - center)/radii",
+            "(o − center)/radii",
             "Δ/radii",
         ),
     };
     let d = precise(test, scaled.origin);
     page.indented(|page| {
         let along = course.aligned.map_or("", |_| " along its half axes h");
+        page.headed(
+            Part::Frame,
+            format!(": divided by its radii{along} it is the unit sphere, and t stays"),
+        );
         page.part(Part::Frame).plain(format!(
-            "divided by its radii{along} it is the unit sphere, and t stays: a·t² + b·t + c = 0 … (iii)"
-        ));
-        page.part(Part::Frame).plain(format!(
-            "o - center → {offset_by} = {}",
+            "o − center → {offset_by} = {}",
             d.vector(scaled.origin)
         ));
         page.part(Part::Frame).plain(format!(
@@ -103,8 +104,11 @@ pub(super) fn ellipsoid(
         ));
         coefficients(&scaled, 1.0, test, page);
         roots(test, page);
+        if course.aligned.is_none() {
+            page.once(Part::Discriminant, COMPUTED_FOR_SPHERE);
+        }
         verdict(&test.roots, course, page);
-        });
+    });
 }
 
 /// The quadratic of an open cone or cylinder.
@@ -152,14 +156,17 @@ pub(super) fn cone(
     let radius = base_radius + slope * height;
     let d = precise(test, across);
     page.indented(|page| {
+        page.headed(
+            Part::Frame,
+            format!(
+                ": axis w = {}, height {}, k = (r_apex − r_base)/height = {}",
+                d.vector(axis),
+                d.number(cone.height()),
+                d.number(slope)
+            ),
+        );
         page.part(Part::Frame).plain(format!(
-            "axis w = {}, height {}, k = (r_apex - r_base)/height = {}",
-            d.vector(axis),
-            d.number(cone.height()),
-            d.number(slope)
-        ));
-        page.part(Part::Frame).plain(format!(
-            "m = o - base: m·w = {}, across the axis m⊥ = {}",
+            "m = o − base: m·w = {}, across the axis m⊥ = {}",
             d.number(height),
             d.vector(across)
         ));
@@ -169,15 +176,16 @@ pub(super) fn cone(
             d.vector(direction),
             d.number(radius)
         ));
+        equation(page);
         page.part(Part::Coefficients).plain(format!(
-            "a = Δ⊥·Δ⊥ - k²(Δ·w)² = {} - {}²·{}² = {}",
+            "a = Δ⊥·Δ⊥ − k²(Δ·w)² = {} − {}²·{}² = {}",
             d.number(direction.length_squared()),
             d.factor(slope),
             d.factor(climb),
             d.number(test.a)
         ));
         page.part(Part::Coefficients).plain(format!(
-            "b = 2[Δ⊥·m⊥ - k(Δ·w)R] = 2·[{} - {}·{}·{}] = {}",
+            "b = 2[Δ⊥·m⊥ − k(Δ·w)R] = 2·[{} − {}·{}·{}] = {}",
             d.number(direction.dot(across)),
             d.factor(slope),
             d.factor(climb),
@@ -185,43 +193,62 @@ pub(super) fn cone(
             d.number(test.b)
         ));
         page.part(Part::Coefficients).plain(format!(
-            "c = m⊥·m⊥ - R² = {} - {}² = {}",
+            "c = m⊥·m⊥ − R² = {} − {}² = {}",
             d.number(across.length_squared()),
             d.factor(radius),
             d.difference(across.length_squared(), test.c)
         ));
         roots(test, page);
+        // a linear equation is solved as it is printed
+        if course.aligned.is_none() && test.a != 0.0 {
+            page.once(Part::Discriminant, COMPUTED_FOR_CONE);
+        }
         for root in test.roots.iter() {
             let y = height + root.t * climb;
-            page.part(Part::Height).plain(format!(
-                "height over the base at t = {}: m·w + t·(Δ·w) = {} {} = {}, of 0 to {}",
+            let text = format!(
+                " at t = {}: m·w + t·(Δ·w) = {} {} = {}; the surface has 0 to {}",
                 d.number(root.t),
                 d.number(height),
                 d.term(root.t * climb),
                 d.number(y),
                 d.number(cone.height())
-            ));
+            );
+            page.headed(Part::Height, text);
         }
         verdict(&test.roots, course, page);
     });
+}
+
+/// How the program computes the numbers of a sphere, and of the unit sphere that an ellipsoid is in its frame.
+const COMPUTED_FOR_SPHERE: &str = "the program computes the same with less rounding: b² − 4ac as \
+    4(a·r² − |Δ × (o − center)|²), and the root nearer to 0 as c/(a·t) of the other";
+
+/// The same of a cone.
+const COMPUTED_FOR_CONE: &str = "the program computes the same with less rounding: b² − 4ac as \
+    4(|R·Δ⊥ − k(Δ·w)·m⊥|² − |Δ⊥ × m⊥|²), and the root nearer to 0 as c/(a·t) of the other";
+
+/// Equation (iii), whose coefficients follow.
+fn equation(page: &mut Pen) {
+    page.headed(Part::Coefficients, " of a·t² + b·t + c = 0 … (iii)");
 }
 
 /// a, b and c of a sphere of a radius around the origin.
 fn coefficients(ray: &Ray, radius: f64, test: &QuadraticTest, page: &mut Pen) {
     let d = precise(test, ray.origin);
     let (offset, direction) = (ray.origin, ray.direction);
+    equation(page);
     page.part(Part::Coefficients).plain(format!(
         "a = Δ·Δ = {} = {}",
         d.squares(direction),
         d.number(test.a)
     ));
     page.part(Part::Coefficients).plain(format!(
-        "b = 2·Δ·(o - center) = 2·[{}] = {}",
+        "b = 2·Δ·(o − center) = 2·[{}] = {}",
         d.dot(direction, offset),
         d.number(test.b)
     ));
     page.part(Part::Coefficients).plain(format!(
-        "c = |o - center|² - r² = {} - {}² = {}",
+        "c = |o − center|² − r² = {} − {}² = {}",
         d.squares(offset),
         d.number(radius),
         d.difference(offset.length_squared(), test.c)
@@ -234,60 +261,75 @@ fn roots(test: &QuadraticTest, page: &mut Pen) {
     let size = b2.abs().max(ac4.abs());
     let d = Digits::for_difference(size, test.discriminant);
     let discriminant = format!(
-        "b² - 4ac = {} {} = {}",
+        ": b² − 4ac = {} {} = {}",
         d.number(b2),
         d.term(-ac4),
         d.difference(size, test.discriminant)
     );
     match test.roots {
         Roots::None if test.discriminant < 0.0 => {
-            page.part(Part::Discriminant)
-                .plain(format!("{discriminant} < 0: no real root"));
+            page.headed(
+                Part::Discriminant,
+                format!("{discriminant} < 0: no real root"),
+            );
         }
-        Roots::None => page.part(Part::Discriminant).plain(format!(
-            "a = 0 and b = 0: {} = 0 has no solution for any t",
-            d.number(test.c)
-        )),
+        Roots::None => page.headed(
+            Part::Roots,
+            format!(
+                ": none, since a = 0 and b = 0, and c = {} is not 0",
+                d.number(test.c)
+            ),
+        ),
         Roots::Graze(root) => {
-            page.part(Part::Discriminant)
-                .plain(format!("{discriminant}: one double root, a graze"));
-            page.part(Part::Roots).plain(format!(
-                "t = -b/2a = {}/{} = {}",
+            page.headed(
+                Part::Discriminant,
+                format!("{discriminant}: one double root, a graze"),
+            );
+            let text = format!(
+                ": t = −b/2a = {}/{} = {}",
                 d.number(-test.b),
                 d.factor(2.0 * test.a),
                 d.number(root.t)
-            ));
+            );
+            page.headed(Part::Roots, text);
         }
         Roots::Two { near, far } => {
-            page.part(Part::Discriminant)
-                .plain(format!("{discriminant} > 0: two real roots"));
-            page.part(Part::Roots).plain(format!(
-                "t = (-b ± √{})/2a = ({} ± {})/{} = {} and {}",
+            page.headed(
+                Part::Discriminant,
+                format!("{discriminant} > 0: two real roots"),
+            );
+            let text = format!(
+                ": t = (−b ± √{})/2a = ({} ± {})/{} = {} and {}",
                 d.number(test.discriminant),
                 d.number(-test.b),
                 d.number(test.discriminant.sqrt()),
                 d.factor(2.0 * test.a),
                 d.number(near.t),
                 d.number(far.t)
-            ));
+            );
+            page.headed(Part::Roots, text);
         }
-        Roots::Linear(root) => page.part(Part::Roots).plain(format!(
-            "a = 0: b·t + c = 0, t = -c/b = {}/{} = {}",
-            d.number(-test.c),
-            d.factor(test.b),
-            d.number(root.t)
-        )),
+        Roots::Linear(root) => {
+            let text = format!(
+                ": a = 0 leaves b·t + c = 0, one root t = −c/b = {}/{} = {}",
+                d.number(-test.c),
+                d.factor(test.b),
+                d.number(root.t)
+            );
+            page.headed(Part::Roots, text);
+        }
     }
 }
 
-/// What becomes of each root.
-fn verdict(roots: &Roots, course: &Course, page: &mut Pen) {
+/// The verdict on each root.
+pub(super) fn verdict(roots: &Roots, course: &Course, page: &mut Pen) {
+    let fates = fates(roots, course);
     let (tone, text) = match roots {
-        Roots::None => (Tone::Refused, "missed".into()),
-        _ if roots.chosen().is_some() => (Tone::Found, fates(roots, course)),
-        _ => (Tone::Refused, fates(roots, course)),
+        Roots::None => (Tone::Refused, ": none, missed".into()),
+        _ if roots.chosen().is_some() => (Tone::Found, format!(": {fates}")),
+        _ => (Tone::Refused, format!(": none, {fates}: missed")),
     };
-    page.part(Part::Choice).line(tone, text);
+    page.headed_line(tone, Part::Choice, text);
 }
 
 /// A miss: the equation with its numbers, and the verdict.
@@ -302,23 +344,26 @@ fn quadratic_in_short(
     let (b2, ac4) = (test.b * test.b, 4.0 * test.a * test.c);
     let d = Digits::for_difference(b2.abs().max(ac4.abs()), test.discriminant);
     object_line(context, object, what, page);
-    let equation = format!(
-        "{}·t² {}·t {} = 0: b² - 4ac = {} {} = {}",
-        d.number(test.a),
-        d.term(test.b),
+    let discriminant = format!(
+        " of {} {} {} = 0: b² − 4ac = {} {} = {}",
+        d.times(test.a, "t²"),
+        d.term_times(test.b, "t"),
         d.term(test.c),
         d.number(b2),
         d.term(-ac4),
         d.difference(b2.abs().max(ac4.abs()), test.discriminant)
     );
-    let verdict = match test.roots {
-        Roots::None if test.discriminant < 0.0 => " < 0, no real root: missed".into(),
-        Roots::None => ": no t solves it, missed".into(),
-        _ => format!("; {}", fates(&test.roots, course)),
-    };
     page.indented(|page| {
-        page.part(Part::Discriminant)
-            .line(Tone::Refused, format!("{equation}{verdict}"));
+        let why = match test.roots {
+            Roots::None if test.discriminant < 0.0 => " < 0, no real root: missed",
+            Roots::None => ": no t solves it, missed",
+            _ => {
+                page.headed(Part::Discriminant, discriminant);
+                return verdict(&test.roots, course, page);
+            }
+        };
+        let text = format!("{discriminant}{why}");
+        page.headed_line(Tone::Refused, Part::Discriminant, text);
     });
 }
 
@@ -335,8 +380,8 @@ fn precise(test: &QuadraticTest, offset: DVec3) -> Digits {
     Digits::for_difference(b2.abs().max(ac4.abs()), test.discriminant).or(for_c)
 }
 
-/// What becomes of each root, in one sentence.
-pub(super) fn fates(roots: &Roots, course: &Course) -> String {
+/// The verdict on each root, in one sentence.
+fn fates(roots: &Roots, course: &Course) -> String {
     let chosen = roots.chosen();
     let sentences: Vec<String> = roots
         .iter()
@@ -345,12 +390,12 @@ pub(super) fn fates(roots: &Roots, course: &Course) -> String {
     sentences.join("; ")
 }
 
-/// What becomes of one root.
+/// The verdict on one root.
 pub(super) fn fate(root: Root, chosen: Option<f64>, course: &Course) -> String {
     let d = Digits::USUAL;
     let t = format!("t = {}", d.number(root.t));
     match root.fate {
-        Fate::Chosen => format!("{t} is the smallest that counts: a hit"),
+        Fate::Chosen => format!("{t}, the smallest that counts: a hit"),
         Fate::Behind if root.t == 0.0 => format!("{t} is the origin itself"),
         Fate::Behind => format!("{t} lies behind the origin"),
         Fate::BelowEpsilon => format!("{t} is 0 within ε: the surface that the ray starts on"),
@@ -358,7 +403,7 @@ pub(super) fn fate(root: Root, chosen: Option<f64>, course: &Course) -> String {
         Fate::BeyondNearest => match (course.nearest, course.start) {
             (Some(nearest), _) => {
                 format!(
-                    "{t} is further than the nearest hit so far, t = {}",
+                    "{t} is farther than the nearest hit so far, t = {}",
                     d.number(nearest)
                 )
             }
@@ -367,8 +412,8 @@ pub(super) fn fate(root: Root, chosen: Option<f64>, course: &Course) -> String {
             }
             _ => format!("{t} is too far"),
         },
-        Fate::BackFace => format!("{t} meets the back, and only the front shows"),
-        Fate::FrontFace => format!("{t} meets the front, and only the back shows"),
-        Fate::BeyondEnds => format!("{t} lies beyond the ends"),
+        Fate::BackFace => format!("{t} is on the back, and only the front is visible"),
+        Fate::FrontFace => format!("{t} is on the front, and only the back is visible"),
+        Fate::BeyondEnds => format!("{t} lies beyond the ends of the surface"),
     }
 }

@@ -1,4 +1,4 @@
-//! One ray: where it starts, what it is tested against, what becomes of it.
+//! One ray: where it starts, what it is tested against, how it ends.
 
 use crate::explain::number::Digits;
 use crate::explain::page::{Fold, Tone, Unfold};
@@ -15,7 +15,7 @@ use crate::explain::worked::{
 use crate::scene::PrimitiveId;
 use crate::trace::{Event, Kind, Nearest, Outcome, Purpose, RayEnd, RayNode, RayStart};
 
-/// The whole working of a ray, with the rays sent on from it indented below.
+/// The whole working of a ray, with the rays that it spawned indented below.
 pub(super) fn ray(context: &Context, place: usize, page: &mut Pen) {
     let node = &context.tree.rays[place];
     let steps = steps(context, &node.items);
@@ -33,11 +33,7 @@ pub(super) fn ray(context: &Context, place: usize, page: &mut Pen) {
             }
             all_steps(context, &steps, &mut course, page);
             if let Some(end) = node.end {
-                page.telling(ends_at[1], |page| {
-                    page.of_part(Part::RayColour, |page| {
-                        ray_end(context, &end, &course, page);
-                    });
-                });
+                page.telling(ends_at[1], |page| ray_end(context, &end, &course, page));
             }
         });
     });
@@ -172,23 +168,21 @@ fn ray_title(context: &Context, place: usize) -> String {
         return format!("Ray {id}");
     };
     let what = match start.purpose {
-        Purpose::Eye => "from the eye".into(),
+        Purpose::Eye => "eye ray".into(),
         Purpose::Shadow => match start.light {
-            Some(light) => format!("to the light {}", context.light_name(light)),
-            None => "to a light".into(),
+            Some(light) => format!("shadow ray to {}", context.light_title(light)),
+            None => "shadow ray".into(),
         },
-        Purpose::Reflected => "reflected".into(),
-        Purpose::Refracted => "refracted".into(),
-        Purpose::Scattered => "scattered".into(),
+        Purpose::Reflected => "reflected ray".into(),
+        Purpose::Refracted => "refracted ray".into(),
+        Purpose::Scattered => "scattered ray".into(),
         Purpose::Light => match start.light {
-            Some(light) => format!("from the light {}", context.light_name(light)),
-            None => "on from the surface".into(),
+            Some(light) => format!("light ray from {}", context.light_title(light)),
+            None => "light ray, the path continues".into(),
         },
-        Purpose::Connection => "from x' to x".into(),
+        Purpose::Connection => "connecting ray from x′ to x".into(),
     };
-    let of = parent.map_or(String::new(), |parent| {
-        format!(", sent on from ray {parent}")
-    });
+    let of = parent.map_or(String::new(), |parent| format!(", spawned by ray {parent}"));
     format!("Ray {id}: {what}{of}, depth {}", start.depth)
 }
 
@@ -248,9 +242,9 @@ fn is_nearest(
         && context.shows(Kind::Nearest)
     {
         let first = context.name(first);
-        let text = format!("→ as near as {first}, which comes first in the scene and stays");
+        let text = format!(" stays {first}: it has the same t and comes first in the scene");
         page.telling(tested, |page| {
-            page.indented(|page| page.part(Part::Nearest).line(Tone::Refused, text));
+            page.indented(|page| page.result(Tone::Refused, Part::Nearest, text));
         });
     }
 }
@@ -259,15 +253,10 @@ fn is_nearest(
 fn becomes_nearest(context: &Context, hit: &Nearest, course: &mut Course, page: &mut Pen) {
     if context.shows(Kind::Nearest) {
         let text = match hit.replaced {
-            None => "→ the nearest hit so far".into(),
-            Some(old) => {
-                format!(
-                    "→ nearer than {}: the nearest hit so far",
-                    context.name(old)
-                )
-            }
+            None => " so far".into(),
+            Some(old) => format!(" so far, nearer than {}", context.name(old)),
         };
-        page.indented(|page| page.part(Part::Nearest).line(Tone::Found, text));
+        page.indented(|page| page.result(Tone::Found, Part::Nearest, text));
     }
     course.nearest = Some(hit.t);
     course.nearest_object = Some(hit.object);
@@ -287,12 +276,12 @@ fn shows_test(context: &Context, test: &Test) -> bool {
     }
 }
 
-/// A ray that is not told here: its purpose and its end.
+/// A ray that another page works out: its purpose and its end.
 fn child_in_short(context: &Context, place: usize, page: &mut Pen) {
     let node = &context.tree.rays[place];
     let title = ray_title(context, place);
     let end = node.end.map_or(String::new(), |end| {
-        format!(": {}", outcome(context, &end, node.start))
+        format!(": {}", outcome(context, &end, node.start).1)
     });
     let fold = Fold {
         hidden: 1,
@@ -303,35 +292,44 @@ fn child_in_short(context: &Context, place: usize, page: &mut Pen) {
     });
 }
 
-fn outcome(context: &Context, end: &RayEnd, start: Option<RayStart>) -> String {
+/// What the end of a ray says something about, and what it says.
+fn outcome(context: &Context, end: &RayEnd, start: Option<RayStart>) -> (Part, String) {
     let d = Digits::USUAL;
     let object = end.object.map_or("an object".into(), |id| context.name(id));
     let at = end
         .t
         .map_or(String::new(), |t| format!(" at t = {}", d.number(t)));
-    match end.outcome {
-        Outcome::Hit => format!("meets {object}{at}"),
-        Outcome::Miss => "meets no object".into(),
+    let of_path =
+        start.is_some_and(|start| matches!(start.purpose, Purpose::Light | Purpose::Scattered));
+    let part = match end.outcome {
+        Outcome::Blocked | Outcome::ReachesLight | Outcome::Connects => Part::Visibility,
+        _ if of_path => Part::Leg,
+        _ => Part::RayColour,
+    };
+    let text = match end.outcome {
+        Outcome::Hit => format!("the ray hits {object}{at}"),
+        Outcome::Miss => "the ray hits no object".into(),
         Outcome::Blocked => {
             let is_line = start.is_some_and(|start| start.purpose == Purpose::Connection);
             let shadow = if is_line {
                 ""
             } else {
-                ": the point lies in its shadow"
+                ", so the point is in its shadow"
             };
             format!("blocked by {object}{at}{shadow}")
         }
-        Outcome::ReachesLight => "nothing in between: the light is visible".into(),
+        Outcome::ReachesLight => "no object is in between, so the light is visible".into(),
         Outcome::DepthLimit => format!(
-            "not traced, since the depth limit is {}: no light comes this way",
+            "the depth limit is {}, so the ray is not traced and brings no light",
             context.scene.max_depth
         ),
-        Outcome::Absorbed => format!("meets {object}{at}, which absorbs it"),
+        Outcome::Absorbed => format!("the ray hits {object}{at}, which absorbs it"),
         Outcome::CutOff => {
-            format!("meets {object}{at}: one surface more than a path may meet")
+            format!("the ray hits {object}{at}, beyond the most surfaces of a path: it is cut off")
         }
-        Outcome::Connects => "nothing in between".into(),
-    }
+        Outcome::Connects => "no object is in between".into(),
+    };
+    (part, text)
 }
 
 /// What the ray brings back.
@@ -349,32 +347,31 @@ fn ray_end(context: &Context, end: &RayEnd, course: &Course, page: &mut Pen) {
         | Outcome::CutOff => Tone::Refused,
     };
     match (end.outcome, end.colour) {
-        // chance has told it already
+        // Russian roulette has said it already
         (Outcome::Hit | Outcome::Absorbed, None)
             if course.photon.is_some() && context.shows(Kind::Photon) => {}
         (Outcome::Hit, Some(colour)) => {
             let sum = shade::sum(context, course).unwrap_or_default();
-            page.line(tone, format!("I = {sum}{}", d.vector(colour)));
+            let text = format!(": I = {sum}{}", d.vector(colour));
+            page.headed_line(tone, Part::RayColour, text);
         }
         (Outcome::Miss, Some(_)) if context.settings.transport.follows_light() => {
-            let text = "→ no object is met: no light comes from there, for only lamps send any";
-            page.line(tone, text);
+            let text = ": no object is hit, so there is no light: only the lights emit any";
+            page.result(tone, Part::RayColour, text);
         }
-        (Outcome::Miss, Some(colour)) => page.line(
-            tone,
-            format!("→ no object is met: the background, {}", d.vector(colour)),
-        ),
+        (Outcome::Miss, Some(colour)) => {
+            let background = d.vector(colour);
+            let text = format!(": no object is hit, so the background, {background}");
+            page.result(tone, Part::RayColour, text);
+        }
         _ => {
             let leaves = match end.outcome {
                 Outcome::Miss => light_path::leaves_with(context, &context.tree.rays[course.place]),
                 _ => None,
             };
-            let text = format!(
-                "→ {}{}",
-                outcome(context, end, course.start),
-                leaves.unwrap_or_default()
-            );
-            page.line(tone, text);
+            let (part, text) = outcome(context, end, course.start);
+            let leaves = leaves.unwrap_or_default();
+            page.result(tone, part, format!(": {text}{leaves}"));
         }
     }
 }

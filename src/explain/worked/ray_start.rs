@@ -21,17 +21,17 @@ pub(super) fn ray_start(
     let d = Digits::USUAL;
     let (origin, direction) = (start.ray.origin, start.ray.direction);
     let on_path = photon::direction_of_leg(context, place);
+    let mut head = |text: String| page.headed(Part::Direction, format!(": {text}"));
     match start.purpose {
-        _ if let Some(text) = on_path => page.plain(text),
+        _ if let Some(text) = on_path => head(text),
         Purpose::Eye => {
             if let Some(window) = start.window_t {
-                // a length near 1 is told with the digits in which it differs from 1
+                // a length near 1 has the digits in which it differs from 1
                 let length = Digits::for_difference(window, window - 1.0).number(window);
                 let to_window = d.vector(window * direction);
-                page.plain(format!("P - COP = {to_window}, of length {length}"));
+                head(format!("P − COP = {to_window}, of length {length}"));
                 page.plain(format!(
-                    "Δ = (P - COP)/{length} = {}: normalised, so that t is a distance and the \
-                         window lies at t = {length}",
+                    "Δ = (P − COP)/{length} = {}: normalised, so t is a distance and the window is at t = {length}",
                     d.vector(direction)
                 ));
             }
@@ -40,41 +40,41 @@ pub(super) fn ray_start(
             let lights = &context.scene.lights;
             let lamp = start.light.and_then(|light| lights.get(light as usize));
             let text = lamp.map_or(String::new(), |lamp| to_light(lamp.position, origin));
-            page.plain(format!("Δ = L{text} = {}", d.vector(direction)));
+            head(format!("Δ = L{text} = {}", d.vector(direction)));
         }
         Purpose::Reflected => {
             let from = parent.and_then(|parent| surface_of(context, parent));
             match from {
                 Some((incoming, normal)) => {
                     let cosine = incoming.dot(normal);
-                    page.plain(format!(
-                        "Δ = Δ' - 2(Δ'·N)N = {} - 2·{}·{} = {}, with Δ' the direction of the ray \
-                             that was sent on",
+                    head(format!(
+                        "Δ = Δ′ − 2(Δ′·N)N = {} − 2·{}·{} = {}, with Δ′ the direction of the incoming ray",
                         d.vector(incoming),
                         d.factor(cosine),
                         d.vector(normal),
                         d.vector(direction)
                     ));
                 }
-                None => page.plain(format!("Δ = {}", d.vector(direction))),
+                None => head(format!("Δ = {}", d.vector(direction))),
             }
         }
-        Purpose::Refracted => page.plain(format!("Δ = T = {}", d.vector(direction))),
-        Purpose::Light => page.plain(format!(
-            "Δ = {}: a direction of chance, with a density of 1/(4π) per steradian",
+        Purpose::Refracted => head(format!("Δ = T = {}", d.vector(direction))),
+        Purpose::Light => head(format!(
+            "Δ = {}: a random direction, pdf 1/(4π) per steradian",
             d.vector(direction)
         )),
-        Purpose::Scattered => page.plain(format!("Δ = {}", d.vector(direction))),
+        Purpose::Scattered => head(format!("Δ = {}", d.vector(direction))),
         Purpose::Connection => {
-            page.plain(format!("Δ = (x - x')/|x - x'| = {}", d.vector(direction)));
+            head(format!("Δ = (x − x′)/|x − x′| = {}", d.vector(direction)));
         }
     }
-    page.part(Part::Ray).plain(format!(
-        "(x, y, z) = {} + t·{} … (i){}",
+    let text = format!(
+        ": (x, y, z) = {} + t·{} … (i){}",
         d.vector(origin),
         d.vector(direction),
         range_text(start)
-    ));
+    );
+    page.headed(Part::Ray, text);
 }
 
 /// Direction and normal where a ray met its surface.
@@ -94,7 +94,7 @@ pub(super) fn to_light(light: DVec3, point: DVec3) -> String {
     let distance = (light - point).length();
     let d = Digits::for_difference(light.abs().max_element(), distance);
     format!(
-        " = (light - p)/|light - p| = [{} - {}]/{}",
+        " = (light − p)/|light − p| = [{} − {}]/{}",
         d.vector(light),
         d.vector(point),
         d.number(distance)

@@ -1,4 +1,4 @@
-//! The search for what a ray meets: which step is told where.
+//! The search for the objects that a ray may hit: which function writes which step.
 
 use crate::explain::part::Part;
 use crate::explain::worked::context::Context;
@@ -7,7 +7,7 @@ use crate::explain::worked::steps::{Course, Step, Told};
 use crate::explain::worked::{aligned, cells, nodes, volumes};
 use crate::trace::{BoundOutcome, Bounded, Event, Kind, QueueAction};
 
-/// Up to so many slabs on a ray each is worked out; from more of them on only if all are asked for.
+/// With at most this many slab tests on a ray each is worked out; with more only if all are asked for.
 const SLABS_IN_FULL: usize = 24;
 
 /// One step of the search, and what is known after it.
@@ -26,31 +26,23 @@ fn search(context: &Context, event: &Event, course: &Course, page: &mut Pen) {
         return;
     }
     match event {
-        // of a slab that is tested S and T are told with the test
+        // S and T of a slab that is tested are written with the test
         Event::SlabRay(line) if !context.shows(Kind::SlabTest) => {
-            page.of_part(Part::SlabRay, |page| volumes::slab_ray(line, course, page));
+            volumes::slab_ray(line, course, page);
         }
         Event::SlabTest(test) if course.slabs_in_full => {
             volumes::slab_test(context, test, course, page);
         }
         Event::BoundTest(test) => volumes::bound_test(context, test, course, page),
-        Event::Node(visit) => {
-            page.of_part(Part::Node, |page| nodes::node(context, visit, course, page));
-        }
-        Event::Queue(step) => page.of_part(Part::Heap, |page| nodes::queue(step, course, page)),
+        Event::Node(visit) => nodes::node(context, visit, course, page),
+        Event::Queue(step) => nodes::queue(step, course, page),
         Event::GridEnter(enter) => page.of_part(Part::Grid, |page| {
             cells::grid_enter(context, enter, course, page);
         }),
-        Event::Cell(cell) => page.of_part(Part::Cell, |page| cells::cell(cell, course, page)),
-        Event::Mailbox { object } => {
-            page.of_part(Part::Mailbox, |page| cells::mailbox(context, *object, page));
-        }
-        Event::HitOutsideCell(hit) => {
-            page.of_part(Part::HitOutside, |page| cells::hit_outside_cell(hit, page));
-        }
-        Event::GridExit(exit) => {
-            page.of_part(Part::WalkEnd, |page| cells::grid_exit(*exit, course, page));
-        }
+        Event::Cell(cell) => cells::cell(cell, course, page),
+        Event::Mailbox { object } => cells::mailbox(context, *object, page),
+        Event::HitOutsideCell(hit) => cells::hit_outside_cell(hit, page),
+        Event::GridExit(exit) => cells::grid_exit(*exit, course, page),
         Event::Align(frame) => {
             page.of_part(Part::Alignment, |page| aligned::align(context, frame, page));
         }
@@ -60,7 +52,7 @@ fn search(context: &Context, event: &Event, course: &Course, page: &mut Pen) {
         Event::ZSort(sorted) => page.of_part(Part::ZSort, |page| {
             aligned::z_sort(context, sorted, course, page);
         }),
-        // of an object on a cell's list its test is told next, or its mailbox
+        // the test of an object on a cell's list follows, or its mailbox
         _ => {}
     }
 }
@@ -71,7 +63,7 @@ pub(super) fn slabs_in_full(context: &Context, steps: &[Told]) -> bool {
     context.options.all || steps.iter().filter(is_slab).count() <= SLABS_IN_FULL
 }
 
-/// The node that was found not to count by this step, if it is one.
+/// The node that this step rejects, if it rejects one.
 pub(super) fn refused_node(step: Option<&Event>) -> Option<u32> {
     match step {
         Some(Event::BoundTest(test)) if test.outcome != BoundOutcome::Hit => match test.of {

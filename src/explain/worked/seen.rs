@@ -8,11 +8,12 @@ use glam::DVec3;
 
 use crate::explain::number::Digits;
 use crate::explain::page::Tone;
+use crate::explain::part::Part;
 use crate::explain::worked::context::Context;
 use crate::explain::worked::pen::Pen;
 use crate::trace::{Arrival, Kind};
 
-/// A photon arrives: in full where it comes to the pixel that is told, or all is wanted.
+/// A photon arrives: in full at the pixel of the page, or if all is asked for.
 pub(super) fn seen(context: &Context, arrival: &Arrival, page: &mut Pen) {
     if !context.shows(Kind::Arrival) {
         return;
@@ -21,8 +22,8 @@ pub(super) fn seen(context: &Context, arrival: &Arrival, page: &mut Pen) {
     let [x, y] = arrival.pixel;
     let is_here = context.pixel == Some(arrival.pixel);
     if !is_here && !context.options.all {
-        let text = format!("→ passes the window into the eye at another pixel, ({x}, {y})");
-        return page.line(Tone::Aside, text);
+        let text = format!(": through the window into the eye at another pixel, ({x}, {y})");
+        return page.result(Tone::Aside, Part::Arrival, text);
     }
     let camera = &context.scene.camera;
     let radius = context.settings.light.aperture_radius(camera);
@@ -38,19 +39,19 @@ pub(super) fn seen(context: &Context, arrival: &Arrival, page: &mut Pen) {
     let area = camera.pixel_area();
     let lines = [
         format!(
-            "through the window at {}, through the aperture at {}: {} beside the COP, and R = {}",
+            "through the window at {} and the aperture at {}, {} from the COP; the aperture has R = {}",
             d_point.vector(arrival.window),
             d_point.vector(arrival.aperture),
             d.number(beside),
             d.number(radius)
         ),
         format!(
-            "d² = |window - aperture|² = {} = {}",
+            "d² = |window − aperture|² = {} = {}",
             d.squares(line),
             d.number(squared)
         ),
         format!(
-            "cos θ = N·(window - aperture)/d = [{}]/{} = {}, with N = {} across both",
+            "cos θ = N·(window − aperture)/d = [{}]/{} = {}, with N = {} of both planes",
             d.dot(normal, line),
             d.number(squared.sqrt()),
             d.number(cosine),
@@ -63,7 +64,7 @@ pub(super) fn seen(context: &Context, arrival: &Arrival, page: &mut Pen) {
             d.number(arrival.geometry)
         ),
         format!(
-            "L = power/(G·π·R²·A) = {}/({}·π·{}²·{}) = {}, with A the area of a pixel",
+            "L = power/(G·π·R²·A) = {}/({}·π·{}²·{}) = {}, with A the area of a pixel on the window",
             d.vector(arrival.power),
             d.number(arrival.geometry),
             d.number(radius),
@@ -71,8 +72,8 @@ pub(super) fn seen(context: &Context, arrival: &Arrival, page: &mut Pen) {
             d.vector(arrival.radiance)
         ),
     ];
-    let text = format!("→ passes the window into the eye at pixel ({x}, {y})");
-    page.line(Tone::Found, text);
+    let text = format!(": through the window into the eye at pixel ({x}, {y})");
+    page.result(Tone::Found, Part::Arrival, text);
     page.indented(|page| {
         for line in lines {
             page.plain(line);
@@ -80,7 +81,7 @@ pub(super) fn seen(context: &Context, arrival: &Arrival, page: &mut Pen) {
     });
 }
 
-/// What has come to the pixel that is told, path by path.
+/// What has arrived at the pixel of the page, path by path.
 pub(super) fn arrivals_here(context: &Context) -> Vec<(u32, DVec3)> {
     let here = |arrival: &&Arrival| Some(arrival.pixel) == context.pixel;
     context
@@ -101,7 +102,7 @@ pub(super) fn way_to_window(context: &Context, direction: DVec3) -> (f64, f64) {
     (camera.to_corner.dot(across).abs() / cosine, cosine)
 }
 
-/// The density of a direction out of the eye: d²/(area·cos θ).
+/// The pdf of a direction from the eye: d²/(area·cos θ).
 pub(super) fn by_solid_angle(context: &Context, direction: DVec3, area: f64) -> String {
     let d = Digits::USUAL;
     let (way, cosine) = way_to_window(context, direction);
@@ -115,5 +116,5 @@ pub(super) fn by_solid_angle(context: &Context, direction: DVec3, area: f64) -> 
     )
 }
 
-/// 1/(4π): as much in every direction.
+/// 1/(4π): the same in every direction.
 pub(super) const ALL_AROUND: f64 = 1.0 / (4.0 * PI);

@@ -25,19 +25,20 @@ pub(super) fn light(context: &Context, light: &LightTerm, course: &Course, page:
     let term = &light.term;
     let (tone, verdict) = match light.visibility {
         Visibility::Visible => (Tone::Found, "visible"),
-        Visibility::Shadowed => (Tone::Refused, "in shadow, adds nothing"),
-        Visibility::FacesAway if term.distance == 0.0 => {
-            (Tone::Refused, "stands in the point itself, adds nothing")
-        }
+        Visibility::Shadowed => (Tone::Refused, "blocked, so the light adds nothing"),
+        Visibility::FacesAway if term.distance == 0.0 => (
+            Tone::Refused,
+            "the light is at the point itself and adds nothing",
+        ),
         Visibility::FacesAway => (
             Tone::Refused,
-            "N·L ≤ 0, the surface faces away: no shadow ray, adds nothing",
+            "N·L ≤ 0, the surface faces away, so no shadow ray is cast and the light adds nothing",
         ),
-        Visibility::NotTested => (Tone::Plain, "taken as visible: no ray is cast to it"),
+        Visibility::NotTested => (Tone::Plain, "taken as visible, since no shadow ray is cast"),
     };
-    let name = context.light_name(light.light);
-    page.part(Part::Visibility)
-        .line(tone, format!("Light {name}: {verdict}"));
+    let name = context.light_title(light.light);
+    let text = format!(" of {name}: {verdict}");
+    page.headed_line(tone, Part::Visibility, text);
     page.indented(|page| {
         let lamp = context.scene.lights.get(light.light as usize);
         if let (Some(lamp), Some(shade)) = (lamp, course.shade) {
@@ -59,33 +60,36 @@ pub(super) fn light(context: &Context, light: &LightTerm, course: &Course, page:
             let colour = d.vector(material.colour.into());
             match lamp.emission {
                 Emission::Colour(intensity) => {
-                    page.part(Part::Diffuse).plain(format!(
-                        "diffuse: light·colour·diffuse·(N·L) = {}·{colour}·{}·{} = {}",
+                    let text = format!(
+                        ": light·colour·diffuse·(N·L) = {}·{colour}·{}·{} = {}",
                         d.vector(intensity),
                         d.number(material.diffuse),
                         d.number(term.n_dot_l),
                         d.vector(term.diffuse)
-                    ));
+                    );
+                    page.headed(Part::Diffuse, text);
                     highlight(light, course, intensity, &material, page);
                 }
                 Emission::Power(power) => {
                     let r2 = term.distance * term.distance;
                     let irradiance = power * term.n_dot_l / (4.0 * std::f64::consts::PI * r2);
-                    page.part(Part::Irradiance).plain(format!(
-                        "irradiance: E = Φ·(N·L)/(4π·r²) = {}·{}/(4π·{}²) = {}",
+                    let text = format!(
+                        ": E = Φ·(N·L)/(4π·r²) = {}·{}/(4π·{}²) = {}",
                         d.number(power),
                         d.number(term.n_dot_l),
                         d.number(term.distance),
                         d.number(irradiance)
-                    ));
-                    page.part(Part::Diffuse).plain(format!(
-                        "reflected: colour·diffuse/π·E = {colour}·{}/π·{} = {}",
+                    );
+                    page.headed(Part::Irradiance, text);
+                    let text = format!(
+                        ": colour·diffuse/π·E = {colour}·{}/π·{} = {}",
                         d.number(material.diffuse),
                         d.number(irradiance),
                         d.vector(term.diffuse)
-                    ));
-                    page.part(Part::Specular)
-                        .plain("specular: none, a light with a power has no highlight");
+                    );
+                    page.headed(Part::Diffuse, text);
+                    let text = ": none, a light with a power has no highlight";
+                    page.headed(Part::Specular, text);
                 }
             }
         }
@@ -103,30 +107,30 @@ fn highlight(
     let d = Digits::USUAL;
     let term = &light.term;
     if material.specular == 0.0 {
-        page.part(Part::Specular)
-            .plain("specular: none, the material's coefficient is 0");
+        page.headed(Part::Specular, ": none, the material's coefficient is 0");
         return;
     }
     if let (Some(start), Some(shade)) = (course.start, course.shade) {
         let mirrored = reflect(-term.to_light, shade.normal);
         let to_viewer = -start.ray.direction;
-        page.part(Part::Specular).plain(format!(
-            "R = 2(N·L)N - L = {}, V = -Δ = {}",
+        let text = format!(
+            ": R = 2(N·L)N − L = {}, V = −Δ = {}",
             d.vector(mirrored),
             d.vector(to_viewer)
-        ));
+        );
+        page.headed(Part::Specular, text);
         let product = d.dot(mirrored, to_viewer);
         page.part(Part::Specular)
             .plain(format!("R·V = {product} = {}", d.number(term.r_dot_v)));
     }
     // max(0, R·V)^0 is 1, so a shininess of 0 has its highlight on the far side too
     if term.specular == DVec3::ZERO && term.r_dot_v <= 0.0 {
-        page.part(Part::Specular)
-            .plain("specular: none, R·V is not above 0");
+        let text = "R·V ≤ 0, so there is no highlight";
+        page.part(Part::Specular).plain(text);
         return;
     }
     page.part(Part::Specular).plain(format!(
-        "specular: light·specular·max(0, R·V)^shininess = {}·{}·{}^{} = {}",
+        "light·specular·max(0, R·V)^shininess = {}·{}·{}^{} = {}",
         d.vector(intensity),
         d.number(material.specular),
         d.number(term.r_dot_v.max(0.0)),
@@ -148,21 +152,21 @@ pub(super) fn refraction(
     let d = Digits::USUAL;
     let (n1, n2) = (refraction.index_from, refraction.index_to);
     let eta = n1 / n2;
-    page.plain(format!(
-        "Refraction from index {} into {} (outside of an object it is 1)",
+    let text = format!(
+        ": n₁·sin θ₁ = n₂·sin θ₂ from index {} into index {} (outside all objects the index is 1)",
         d.number(n1),
         d.number(n2)
-    ));
+    );
+    page.headed(Part::Snell, text);
     page.indented(|page| {
-        page.plain("n₁·sin θ₁ = n₂·sin θ₂ (Snell)");
-        // what is left of 1 near the critical angle is told with all its digits
+        // what is left of 1 near the critical angle has all its digits
         let d = Digits::for_difference(1.0, refraction.cos_refracted_squared);
         page.plain(format!(
-            "cos θ₁ = -Δ·N = {}",
+            "cos θ₁ = −Δ·N = {}",
             d.number(refraction.cos_incident)
         ));
         let squared = format!(
-            "cos²θ₂ = 1 - (n₁/n₂)²·(1 - cos²θ₁) = 1 - {}²·(1 - {}²) = {}",
+            "cos²θ₂ = 1 − (n₁/n₂)²·(1 − cos²θ₁) = 1 − {}²·(1 − {}²) = {}",
             d.number(eta),
             d.factor(refraction.cos_incident),
             d.number(refraction.cos_refracted_squared)
@@ -173,7 +177,7 @@ pub(super) fn refraction(
                 page.plain(format!("{squared}, cos θ₂ = {}", d.number(cosine)));
                 let parts = course.start.zip(course.normal).map(|(start, normal)| {
                     format!(
-                        " = {}·{} + ({}·{} - {})·{}",
+                        " = {}·{} + ({}·{} − {})·{}",
                         d.number(eta),
                         d.vector(start.ray.direction),
                         d.number(eta),
@@ -182,18 +186,18 @@ pub(super) fn refraction(
                         d.vector(normal)
                     )
                 });
-                page.part(Part::Transmitted).plain(format!(
-                    "T = (n₁/n₂)·Δ + ((n₁/n₂)·cos θ₁ - cos θ₂)·N{} = {}",
+                let text = format!(
+                    " = (n₁/n₂)·Δ + ((n₁/n₂)·cos θ₁ − cos θ₂)·N{} = {}",
                     parts.unwrap_or_default(),
                     d.vector(direction)
-                ));
+                );
+                page.headed(Part::Transmitted, text);
                 let of_radiance = course
                     .start
                     .is_some_and(|start| start.purpose != Purpose::Light);
                 if of_radiance && context.settings.transport.follows_light() {
-                    page.plain(format!(
-                        "what is seen through the surface counts (n₁/n₂)² = {}² = {} times: behind it the same \
-                         light fills another solid angle",
+                    page.part(Part::Transmitted).plain(format!(
+                        "the refracted radiance is multiplied by (n₁/n₂)² = {}² = {}, since the solid angle changes",
                         d.number(eta),
                         d.number(refraction.radiance_factor())
                     ));
@@ -201,14 +205,14 @@ pub(super) fn refraction(
             }
             None => {
                 let verdict =
-                    "< 0: total internal reflection, the transmission goes to the reflected ray";
+                    "< 0: total internal reflection, the reflected ray gets the transmission too";
                 page.line(Tone::Refused, format!("{squared} {verdict}"));
             }
         }
-        });
+    });
 }
 
-/// What is known before the rays sent on come back.
+/// What is known before the spawned rays return.
 pub(super) fn shade(context: &Context, shade: &Shade, page: &mut Pen) {
     if !context.shows(Kind::Shade) {
         return;
@@ -216,24 +220,23 @@ pub(super) fn shade(context: &Context, shade: &Shade, page: &mut Pen) {
     let d = Digits::USUAL;
     let colour = DVec3::from(context.scene.material_of(shade.object).colour);
     if context.settings.transport.follows_light() {
-        let text = "Ambient: none, for the light that it stands for was followed";
-        page.part(Part::Ambient).line(Tone::Aside, text);
-        let text = format!("Light gathered: {}", d.vector(shade.direct));
-        return page.part(Part::LightSum).plain(text);
+        let text = ": none, the paths of light replace it";
+        page.headed_line(Tone::Aside, Part::Ambient, text);
+        let text = format!(" in all: {}", d.vector(shade.direct));
+        return page.headed(Part::Gathered, text);
     }
-    page.part(Part::Ambient).plain(format!(
-        "Ambient: {}·{} = {}",
+    let text = format!(
+        ": {}·{} = {}",
         d.vector(context.scene.ambient),
         d.vector(colour),
         d.vector(shade.ambient)
-    ));
-    page.part(Part::LightSum).plain(format!(
-        "Sum over the visible lights: {}",
-        d.vector(shade.direct)
-    ));
+    );
+    page.headed(Part::Ambient, text);
+    let text = format!(": {}", d.vector(shade.direct));
+    page.headed(Part::LightSum, text);
 }
 
-/// The terms of the sum that a ray brings back: `(…) + (…) + 0.1·(…) = `.
+/// The terms of the sum that a ray returns: `(…) + (…) + 0.1·(…) = `.
 pub(super) fn sum(context: &Context, course: &Course) -> Option<String> {
     let d = Digits::USUAL;
     let shade = course.shade?;

@@ -7,7 +7,6 @@ use crate::explain::worked::aligned::turned_slab;
 use crate::explain::worked::context::Context;
 use crate::explain::worked::pen::Pen;
 use crate::explain::worked::quadratic;
-use crate::explain::worked::quadratic::fates;
 use crate::explain::worked::steps::Course;
 use crate::geometry::{Axis, BoxTest, Roots, SlabInterval};
 use crate::scene::{PrimitiveId, Shape};
@@ -43,18 +42,17 @@ pub(super) fn slabs(
         let axes = [("x", Axis::X), ("y", Axis::Y), ("z", Axis::Z)];
         for (i, ((name, axis), interval)) in axes.into_iter().zip(test.slabs).enumerate() {
             if let Some(slabs) = &turned {
-                page.part(Part::NearFar)
-                    .plain(turned_slab(name, &slabs[i], interval));
+                page.headed(Part::NearFar, turned_slab(name, &slabs[i], interval));
                 continue;
             }
             let (low, high) = (axis.of(solid.min), axis.of(solid.max));
-            let slab = format!("{} ≤ {name} ≤ {}", d.number(low), d.number(high));
+            let slab = format!(" of {} ≤ {name} ≤ {}", d.number(low), d.number(high));
             let line = match (interval, course.start) {
                 (SlabInterval::ParallelInside, _) => {
-                    format!("{slab}: the ray is parallel and inside, every t")
+                    format!("{slab}: the ray is parallel and inside for every t")
                 }
                 (SlabInterval::ParallelOutside, _) => {
-                    format!("{slab}: the ray is parallel and outside, no t")
+                    format!("{slab}: the ray is parallel and outside for every t")
                 }
                 (SlabInterval::Between { near, far }, Some(start)) => {
                     let (s, delta) = (axis.of(start.ray.origin), axis.of(start.ray.direction));
@@ -71,7 +69,7 @@ pub(super) fn slabs(
                         format!("({s} {plane})·{} = {}", d.factor(t_scale), d.number(t))
                     };
                     format!(
-                        "{slab}: T = -1/{} = {}, near (S + D)·T = {}, far {}",
+                        "{slab}: T = −1/{} = {}, near = (S + D)·T = {}, far = (S + D)·T = {}",
                         d.factor(delta),
                         d.number(t_scale),
                         product(first, near),
@@ -79,29 +77,22 @@ pub(super) fn slabs(
                     )
                 }
                 (SlabInterval::Between { near, far }, None) => {
-                    format!("{slab}: near {}, far {}", d.number(near), d.number(far))
+                    format!("{slab}: near = {}, far = {}", d.number(near), d.number(far))
                 }
             };
-            page.part(Part::NearFar).plain(line);
+            page.headed(Part::NearFar, line);
         }
         match test.roots {
-            Roots::None => page
-                .part(Part::Interval)
-                .line(Tone::Refused, no_common_t(test)),
+            Roots::None => page.headed_line(Tone::Refused, Part::Interval, no_common_t(test)),
             Roots::Graze(_) | Roots::Two { .. } | Roots::Linear(_) => {
                 let ends: Vec<_> = test.roots.iter().map(|root| d.number(root.t)).collect();
-                page.part(Part::Interval).plain(format!(
-                    "the largest near is {}, the smallest far {}: inside all three in between",
-                    ends.first().map_or("", String::as_str),
-                    ends.last().map_or("", String::as_str)
-                ));
-                let tone = if test.roots.chosen().is_some() {
-                    Tone::Found
-                } else {
-                    Tone::Refused
-                };
-                page.part(Part::Choice)
-                    .line(tone, fates(&test.roots, course));
+                let near = ends.first().map_or("", String::as_str);
+                let far = ends.last().map_or("", String::as_str);
+                let text = format!(
+                    ": max near {near} ≤ min far {far}: inside all three slabs for t in [{near}, {far}]"
+                );
+                page.headed(Part::Interval, text);
+                quadratic::verdict(&test.roots, course, page);
             }
         }
     });
@@ -119,12 +110,12 @@ fn no_common_t(test: &BoxTest) -> String {
             }
             SlabInterval::ParallelInside => {}
             SlabInterval::ParallelOutside => {
-                return "outside of one slab for every t: missed".into();
+                return ": empty, the ray is outside one slab for every t: missed".into();
             }
         }
     }
     format!(
-        "the largest near, {}, is above the smallest far, {}: no t in common, missed",
+        ": max near {} > min far {}: no t in common, missed",
         d.number(near),
         d.number(far)
     )

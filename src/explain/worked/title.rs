@@ -20,20 +20,20 @@ pub(super) fn title(context: &Context, page: &mut Pen) {
     }
     page.line(Tone::Heading, title);
     let transport = match context.settings.transport {
-        Transport::Backward => "backward, without rays to the lights",
-        Transport::HybridLight => "backward with rays to the lights",
-        Transport::Forward => "forward, from the lights into the eye",
-        Transport::HybridStored => "forward, stored on the surfaces, then backward",
-        Transport::HybridConnected => "forward and backward, with connecting lines",
+        Transport::Backward => "backward without shadow rays",
+        Transport::HybridLight => "backward with shadow rays to the lights",
+        Transport::Forward => "forward from the lights into the eye",
+        Transport::HybridStored => "forward with photons stored on the surfaces, then backward",
+        Transport::HybridConnected => "forward and backward with connecting lines",
     };
     let objects = context.scene.primitives.len();
     let depth = match context.settings.transport {
-        // they go on as long as chance lets them
+        // Russian roulette ends their paths
         Transport::Forward | Transport::HybridConnected => String::new(),
         _ => format!(", depth up to {}", context.scene.max_depth),
     };
     let sides = if context.settings.one_sided {
-        "; opaque surfaces show only their front"
+        "; of opaque surfaces only the front is visible"
     } else {
         ""
     };
@@ -62,7 +62,7 @@ pub(super) fn title(context: &Context, page: &mut Pen) {
     }
 }
 
-/// Seed, number of paths, and what else the transport looks at; `None` where no light is followed.
+/// Seed, number of paths, and the transport's own options; `None` where no light is traced.
 fn how_light_is_followed(context: &Context) -> Option<String> {
     let d = Digits::USUAL;
     let (camera, light) = (&context.scene.camera, &context.settings.light);
@@ -74,20 +74,20 @@ fn how_light_is_followed(context: &Context) -> Option<String> {
         }
         Transport::HybridStored => match light.map {
             Some(cells) => format!(
-                "stored in maps of {cells} cells along a flat face's longer side; on curved surfaces the \
+                "stored in maps with {cells} cells along the longer side of a flat face; on curved surfaces the \
                      {} nearest photons are gathered",
                 light.nearest
             ),
             None => format!("the {} nearest photons are gathered", light.nearest),
         },
         Transport::HybridConnected => format!(
-            "{} to each pixel, each connected to a path of light of its own",
+            "{} for each pixel, each connected with its own path of light",
             count(light.samples as usize, "eye path")
         ),
     };
     let paths = context.settings.light_paths(camera.pixels);
     let bounces = light.bounces.map_or(String::new(), |most| {
-        format!(", each over {} at most", count(most as usize, "surface"))
+        format!(", each with at most {}", count(most as usize, "surface"))
     });
     Some(format!(
         "{} paths of light{bounces}, seed {}; {own}",
@@ -100,9 +100,9 @@ fn how_light_is_followed(context: &Context) -> Option<String> {
 fn how(settings: &Settings) -> &'static str {
     match settings.strategy {
         StrategyName::Exhaustive => "",
-        StrategyName::Bounds => " whose bounding volumes it meets",
-        StrategyName::Hierarchy => " in a hierarchy, walked depth first",
-        StrategyName::Heap => " in a hierarchy, walked by distance",
+        StrategyName::Bounds => " whose bounding volume it hits",
+        StrategyName::Hierarchy => " in a hierarchy, traversed depth first",
+        StrategyName::Heap => " in a hierarchy, traversed in the order of distance",
         StrategyName::Grid => " in the cells of a grid",
         StrategyName::ZAligned => " in a frame in which it is the z axis",
     }

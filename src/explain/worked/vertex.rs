@@ -1,4 +1,4 @@
-//! The vertices of a path: the light, the surfaces that it meets, the eye.
+//! The vertices of a path: the light, the surfaces that it hits, the eye.
 
 use glam::DVec3;
 
@@ -17,18 +17,18 @@ pub(super) struct Vertex {
 /// What a vertex is.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum VertexPlace {
-    /// The light, which gives so many watts to the path.
+    /// The light, and the power in W that it gives to the path.
     Light(DVec3),
-    /// A surface, and what met it.
+    /// A surface, and the photon that hit it.
     Surface(Photon),
     /// The eye.
     Eye,
-    /// A surface of which a filtered log does not tell.
+    /// A surface that a filtered log does not have.
     Unknown,
 }
 
 impl Vertex {
-    /// The surface and what met it.
+    /// The photon at a surface.
     pub(super) fn photon(&self) -> Option<&Photon> {
         match &self.place {
             VertexPlace::Surface(photon) => Some(photon),
@@ -52,18 +52,18 @@ pub(super) fn light_vertex(context: &Context, path: u32, number: usize) -> Verte
         Some(before) => surface_vertex(context, known.and_then(|known| known.met.get(before))),
         None => match known.and_then(|known| known.start) {
             Some(start) => Vertex {
-                name: format!("the light {}", context.light_name(start.light)),
+                name: context.light_title(start.light),
                 place: VertexPlace::Light(start.power),
             },
             None => Vertex {
-                name: "the light".into(),
+                name: "a light".into(),
                 place: VertexPlace::Unknown,
             },
         },
     }
 }
 
-/// A vertex of a path from the eye, which has met these surfaces: 0 is the eye.
+/// A vertex of a path from the eye, which has hit these surfaces: 0 is the eye.
 pub(super) fn eye_vertex(context: &Context, met: &[Photon], number: usize) -> Vertex {
     match number.checked_sub(1) {
         Some(before) => surface_vertex(context, met.get(before)),
@@ -87,7 +87,7 @@ fn surface_vertex(context: &Context, photon: Option<&Photon>) -> Vertex {
     }
 }
 
-/// The unit normal across the surface that was met, on the side of a direction.
+/// The unit normal of the surface that was hit, on the side of a direction.
 pub(super) fn normal_towards(context: &Context, photon: &Photon, direction: DVec3) -> DVec3 {
     let shape = &context.scene.primitive(photon.object).shape;
     let normal = shape.normals(photon.point).geometric;
@@ -98,7 +98,7 @@ pub(super) fn normal_towards(context: &Context, photon: &Photon, direction: DVec
     }
 }
 
-/// What met a surface at the end of a ray, if chance decided there how the path goes on.
+/// The photon at the end of a ray, if Russian roulette decided there how the path continues.
 pub(super) fn photon_of(context: &Context, ray: &RayNode) -> Option<Photon> {
     ray.items.iter().find_map(|item| match *item {
         Item::Event(at) => match context.records[at].event {
@@ -109,11 +109,11 @@ pub(super) fn photon_of(context: &Context, ray: &RayNode) -> Option<Photon> {
     })
 }
 
-/// The ray that a path came on before this one, and what met the surface between the two.
+/// The ray of a path before this one, and the photon at the surface between the two.
 pub(super) fn leg_before<'c>(context: &'c Context, place: usize) -> Option<(&'c RayNode, Photon)> {
     let ray = &context.tree.rays[place];
     let start = ray.start?;
-    // rays of a path stand beside each other; others hang below the one that they were sent on from
+    // the rays of a path are siblings; others are children of the ray that spawned them
     if ray.parent.is_some() || start.depth <= 1 || start.purpose == Purpose::Connection {
         return None;
     }

@@ -1,4 +1,4 @@
-//! Bounding volumes: where a ray meets one, slab by slab, and whether what is inside is looked at.
+//! Bounding volumes: where a ray hits one, slab by slab, and whether what is inside is tested.
 
 use glam::DVec3;
 
@@ -16,7 +16,7 @@ use crate::trace::{BoundOutcome, BoundTest, Bounded, Kind, Purpose, RaySlab, Sla
 
 /// S and T of the ray and one direction of slabs.
 pub(super) fn slab_ray(line: &RaySlab, course: &Course, page: &mut Pen) {
-    page.plain(s_and_t(line, course));
+    page.headed(Part::SlabRay, s_and_t(line, course));
 }
 
 /// S, T, and from D_min and D_max the near and the far t of one slab.
@@ -26,24 +26,22 @@ pub(super) fn slab_test(context: &Context, test: &SlabTest, course: &Course, pag
     }
     let step = &course.bare_slab(test);
     if step.slab == 0 {
-        let title = format!("{}: the slabs around it", bounded(context, test.of));
-        page.line(Tone::Heading, title);
+        let title = format!(" of {}, slab by slab", bounded(context, test.of));
+        page.titled(Part::Bound, title);
     }
     let line = course.slab_rays.iter().find(|line| line.slab == step.slab);
     // a log that somebody filtered may have lost it
     let first = line.map_or_else(
-        || format!("slab {}", step.slab),
+        || format!(" of slab {}: not in the log", step.slab),
         |line| s_and_t(line, course),
     );
     let second = near_and_far(step, line);
-    let verdict = missed(step);
+    let (tone, third) = interval(step);
     page.indented(|page| {
-        page.part(Part::SlabRay).plain(first);
+        page.headed(Part::SlabRay, first);
         page.indented(|page| {
-            page.part(Part::NearFar).plain(second);
-            if let Some(verdict) = verdict {
-                page.part(Part::Interval).line(Tone::Refused, verdict);
-            }
+            page.headed(Part::NearFar, second);
+            page.headed_line(tone, Part::Interval, third);
         });
     });
 }
@@ -54,22 +52,22 @@ pub(super) fn bound_test(context: &Context, test: &BoundTest, course: &Course, p
         return;
     }
     let d = Digits::USUAL;
-    let (looked_at, left_out) = match test.of {
-        Bounded::Object(_) => ("the object is tested", "the object inside is not tested"),
+    let (tested, left_out) = match test.of {
+        Bounded::Object(_) => ("the object is tested", "the object is not tested"),
         Bounded::Node(_) => (
-            "what is below it can be looked at",
-            "nothing below it is looked at",
+            "the node can be entered",
+            "nothing below the node is tested",
         ),
     };
     let volume = match test.volume {
-        VolumeKind::Sphere => "the bounding sphere",
-        VolumeKind::Ellipsoid => "the bounding ellipsoid",
-        VolumeKind::Box => "the bounding box",
-        VolumeKind::Slabs => "the intersection of the slabs",
+        VolumeKind::Sphere => "sphere",
+        VolumeKind::Ellipsoid => "ellipsoid",
+        VolumeKind::Box => "box",
+        VolumeKind::Slabs => "slabs",
     };
     let bare = bare_inside(context, test, course);
     let stretch = bare.map_or(String::new(), |[near, far]| {
-        format!("from t = {} to t = {}", d.number(near), d.number(far))
+        format!("inside for t in [{}, {}]", d.number(near), d.number(far))
     });
     let begins = bare.map_or(String::new(), |[near, _]| d.number(near));
     let by_room = by_room_alone(test, bare, course);
@@ -80,27 +78,26 @@ pub(super) fn bound_test(context: &Context, test: &BoundTest, course: &Course, p
     };
     let (tone, text) = match outcome {
         BoundOutcome::Hit if let Some(why) = by_room => {
-            (Tone::Found, format!("{why}: {looked_at}"))
+            (Tone::Found, format!("{why}, so {tested}"))
         }
-        BoundOutcome::Hit => (Tone::Found, format!("is met {stretch}: {looked_at}")),
-        BoundOutcome::Missed => (Tone::Refused, format!("is missed: {left_out}")),
+        BoundOutcome::Hit => (Tone::Found, format!("hit, {stretch}, so {tested}")),
+        BoundOutcome::Missed => (Tone::Refused, format!("missed, so {left_out}")),
         BoundOutcome::Behind => (
             Tone::Refused,
-            format!("lies behind the origin, {stretch}: {left_out}"),
+            format!("behind the origin, {stretch}, so {left_out}"),
         ),
         BoundOutcome::Beyond => (
             Tone::Refused,
-            format!("begins at t = {begins}, {}: {left_out}", beyond(course)),
+            format!("begins at t = {begins}, {}, so {left_out}", beyond(course)),
         ),
     };
-    page.part(Part::Bound)
-        .line(tone, format!("{of}: {volume} {text}"));
+    page.headed_line(tone, Part::Bound, format!(" of {of} ({volume}): {text}"));
     if let Some(place) = volume_of(context, test) {
         page.indented(|page| page.part(Part::Bound).line(Tone::Aside, place));
     }
 }
 
-/// Where the volume around an object is, built again from the scene; slabs are told one by one.
+/// Where the volume around an object is, built again from the scene; slabs are written one by one.
 fn volume_of(context: &Context, test: &BoundTest) -> Option<String> {
     let d = Digits::USUAL;
     let Bounded::Object(object) = test.of else {
@@ -139,7 +136,7 @@ fn bounded(context: &Context, of: Bounded) -> String {
     }
 }
 
-/// That a volume counts by its room for rounding alone, if it is so.
+/// That a volume counts by its padding alone, if it does.
 fn by_room_alone(test: &BoundTest, bare: Option<[f64; 2]>, course: &Course) -> Option<String> {
     let d = Digits::USUAL;
     let range = course.start.map_or(TRange::FORWARD, |start| start.range);
@@ -147,17 +144,15 @@ fn by_room_alone(test: &BoundTest, bare: Option<[f64; 2]>, course: &Course) -> O
     let what = match (BoundOutcome::of(bare, range), bare) {
         (BoundOutcome::Hit, _) => return None,
         (BoundOutcome::Behind, Some([_, far])) => {
-            format!("ends at t = {}, before any t counts", d.number(far))
+            format!("ends at t = {}, before the t that count", d.number(far))
         }
         (BoundOutcome::Beyond, Some([near, _])) => {
             format!("begins at t = {}, {}", d.number(near), beyond(course))
         }
-        _ => "is missed".into(),
+        _ => "missed".into(),
     };
     let room = d.number(test.room);
-    Some(format!(
-        "{what}, but by less than its room for rounding, {room}"
-    ))
+    Some(format!("{what}, but by less than its padding, {room}"))
 }
 
 /// Behind what a volume begins.
@@ -168,14 +163,14 @@ fn beyond(course: &Course) -> String {
     match course.nearest {
         _ if shadow => "beyond the light".into(),
         Some(t) => format!("behind the nearest hit, t = {}", Digits::USUAL.number(t)),
-        None => "behind what is met already".into(),
+        None => "behind the nearest hit".into(),
     }
 }
 
 /// S = A·x₀ + B·y₀ + C·z₀ and T = −1/(A·Δx + B·Δy + C·Δz), with their numbers.
 fn s_and_t(line: &RaySlab, course: &Course) -> String {
     let slab = format!(
-        "slab {}, (A, B, C) = {}",
+        " of slab {}, (A, B, C) = {}",
         line.slab,
         Digits::USUAL.vector(line.normal)
     );
@@ -202,21 +197,21 @@ fn s_and_t(line: &RaySlab, course: &Course) -> String {
     }
     let d_t = Digits::for_difference(largest(direction), cosine);
     format!(
-        "{s}, T = -1/[{}] = {}",
+        "{s}, T = −1/[{}] = {}",
         d_t.dot(n, direction),
         Digits::USUAL.number(line.t_scale)
     )
 }
 
-/// near = (S + D)·T of the plane that is met first, far of the other, and what all slabs so far have in
-/// common; for a parallel ray whether S is between the planes.
+/// near = (S + D)·T of the plane that the ray hits first, far of the other; for a parallel ray whether S is between the
+/// planes.
 fn near_and_far(step: &SlabStep, line: Option<&RaySlab>) -> String {
     let d = Digits::USUAL;
     let (d_min, d_max) = (step.d_min, step.d_max);
     let Some(&RaySlab { s, t_scale, .. }) = line else {
         return without_products(step);
     };
-    // T < 0 along the normal: then the plane furthest back, of D_max, is met first (erratum 5)
+    // T < 0 along the normal: then the ray hits the plane furthest back, of D_max, first (erratum 5)
     let (first, second) = if t_scale < 0.0 {
         (("D_max", d_max), ("D_min", d_min))
     } else {
@@ -225,7 +220,7 @@ fn near_and_far(step: &SlabStep, line: Option<&RaySlab>) -> String {
     let product = |(name, plane): (&str, f64), t: f64| {
         let d_sum = Digits::for_difference(s.abs().max(plane.abs()), s + plane);
         format!(
-            "(S + {name})·T = ({} {})·{} = {}",
+            " = (S + {name})·T = ({} {})·{} = {}",
             d_sum.number(s),
             d_sum.term(plane),
             d.factor(t_scale),
@@ -237,24 +232,24 @@ fn near_and_far(step: &SlabStep, line: Option<&RaySlab>) -> String {
         let edge = (s + d_min).abs().min((s + d_max).abs());
         let d = Digits::for_difference(size.max(s.abs()), edge);
         format!(
-            "-D_max = {}, -D_min = {}, and S {inside}",
+            ": −D_max = {}, −D_min = {}, and S {inside}",
             d.number(-d_max),
             d.number(-d_min)
         )
     };
     let (near, far) = match step.interval {
-        SlabInterval::ParallelInside => return between("is between them: inside for every t"),
+        SlabInterval::ParallelInside => {
+            return between("is between them, so the ray is inside for every t");
+        }
         SlabInterval::ParallelOutside => {
-            return between("is not between them: outside for every t");
+            return between("is not between them, so the ray is outside for every t");
         }
         SlabInterval::Between { near, far } => (near, far),
     };
     format!(
-        "near {}, far {}; largest near {}, smallest far {}",
+        ": near{}, far{}",
         product(first, near),
-        product(second, far),
-        d.number(step.max_near),
-        d.number(step.min_far)
+        product(second, far)
     )
 }
 
@@ -262,34 +257,43 @@ fn near_and_far(step: &SlabStep, line: Option<&RaySlab>) -> String {
 fn without_products(step: &SlabStep) -> String {
     let d = Digits::USUAL;
     match step.interval {
-        SlabInterval::ParallelInside => "the ray is parallel: inside for every t".into(),
-        SlabInterval::ParallelOutside => "the ray is parallel: outside for every t".into(),
-        SlabInterval::Between { near, far } => format!(
-            "near {}, far {}; largest near {}, smallest far {}",
-            d.number(near),
-            d.number(far),
-            d.number(step.max_near),
-            d.number(step.min_far)
-        ),
+        SlabInterval::ParallelInside => ": the ray is parallel and inside for every t".into(),
+        SlabInterval::ParallelOutside => ": the ray is parallel and outside for every t".into(),
+        SlabInterval::Between { near, far } => {
+            format!(": near = {}, far = {}", d.number(near), d.number(far))
+        }
     }
 }
 
-/// Why no more slabs are looked at, if it is so.
-fn missed(step: &SlabStep) -> Option<String> {
+/// What all slabs so far have in common.
+fn interval(step: &SlabStep) -> (Tone, String) {
     let (near, far) = (step.max_near, step.min_far);
     match step.outcome {
-        SlabOutcome::GoesOn | SlabOutcome::ParallelInside => None,
-        SlabOutcome::ParallelOutside => {
-            Some("no t, missed: no more slabs are looked at".to_owned())
+        SlabOutcome::GoesOn | SlabOutcome::ParallelInside => {
+            let d = Digits::USUAL;
+            let text = match (near.is_finite(), far.is_finite()) {
+                (true, true) => format!(
+                    ": max near {} ≤ min far {} so far",
+                    d.number(near),
+                    d.number(far)
+                ),
+                _ => ": every t so far".into(),
+            };
+            (Tone::Plain, text)
         }
+        SlabOutcome::ParallelOutside => (
+            Tone::Refused,
+            ": empty, missed; no more slabs are tested".into(),
+        ),
         SlabOutcome::Null => {
             let d = Digits::for_difference(near.abs().max(far.abs()), near - far);
-            Some(format!(
-                "the largest near, {}, is not below the smallest far, {}: no t in common, missed, and no more \
-                 slabs are looked at",
+            let sign = if far < near { ">" } else { "=" };
+            let text = format!(
+                ": max near {} {sign} min far {}: no t in common, missed; no more slabs are tested",
                 d.number(near),
                 d.number(far)
-            ))
+            );
+            (Tone::Refused, text)
         }
     }
 }

@@ -1,5 +1,5 @@
-//! The weight of a connection by the balance heuristic: which edges of the whole path could have been the line, and
-//! how likely each of them was to be.
+//! The weight of a connection by the balance heuristic: which edges of the whole path could have been the line, and how
+//! likely each of them was.
 //!
 //! w = share/Σ shares,  share = 1/(G·φ·φ')
 
@@ -9,6 +9,7 @@ use glam::DVec3;
 
 use crate::explain::number::Digits;
 use crate::explain::page::Tone;
+use crate::explain::part::Part;
 use crate::explain::worked::connection::Joined;
 use crate::explain::worked::context::Context;
 use crate::explain::worked::pen::Pen;
@@ -37,7 +38,8 @@ pub(super) fn weight(
     let of_eye = of_eye.map(|number| vertex::eye_vertex(context, eye, number));
     let vertices: Vec<Vertex> = of_light.chain(of_eye).collect();
 
-    page.plain("The weight: each edge of the whole path could have been the line");
+    let text = " by the balance heuristic: each edge of the whole path could have been the line";
+    page.headed(Part::Weight, text);
     page.indented(|page| {
         let names: Vec<_> = (0..)
             .zip(&vertices)
@@ -74,7 +76,7 @@ pub(super) fn weight(
 
         if !barred.is_empty() {
             let text = format!(
-                "never the line: {}, for a mirror or glass at an end sends light on in one direction alone",
+                "never the line: {}, since a mirror or glass at an end reflects or refracts in one direction only",
                 barred.join(", ")
             );
             page.line(Tone::Aside, text);
@@ -90,7 +92,7 @@ pub(super) fn weight(
             }
         };
         page.line(Tone::Found, text);
-        });
+    });
 }
 
 /// φ of each vertex at which an edge ends that could have been the line.
@@ -116,13 +118,13 @@ fn densities(
         let phi = phi(number);
         let text = match &vertex.place {
             VertexPlace::Light(_) => format!(
-                "{phi} = 1/(4π) = {}, per steradian: a photon leaves the light in any direction",
+                "{phi} = 1/(4π) = {}, the pdf per steradian of a direction from the light",
                 d.number(ALL_AROUND)
             ),
             VertexPlace::Surface(photon) => {
                 let most = photon.diffuse.max_element();
                 format!(
-                    "{phi} = ρ/π = {}/π = {}, with the largest ρ of the channels: that of going on at all",
+                    "{phi} = ρ/π = {}/π = {}, with the largest ρ of the channels: the probability to continue",
                     d.number(most),
                     d.number(most / PI)
                 )
@@ -138,7 +140,7 @@ fn densities(
     }
 }
 
-/// φ at the eye, whose paths pass the whole window alike.
+/// φ at the eye, whose paths are uniform on the window.
 fn eye_density(
     context: &Context,
     phi: &str,

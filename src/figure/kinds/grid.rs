@@ -2,13 +2,14 @@
 //!
 //! An object in several cells is tested in the first of them; a hit beyond its cell does not end the walk (erratum 6).
 
+use crate::explain::cell_name;
 use crate::figure::canvas::quantity;
 use crate::figure::drawing::{DrawnRay, Figure};
 use crate::figure::error::FigureError;
 use crate::figure::frame::Frame;
 use crate::figure::kinds::Kind;
 use crate::figure::kinds::plan::{self, Plan};
-use crate::figure::kinds::walk::{Listed, Visit, Walk, cell_name};
+use crate::figure::kinds::walk::{Listed, Visit, Walk};
 use crate::figure::look::{Dash, Look};
 use crate::figure::outline::{self, Outline};
 use crate::figure::scenery;

@@ -213,8 +213,9 @@ fn labels(figure: &Figure, sheet: &mut Sheet, stage: &Stage, line: &Line, stops:
     sheet.at_step(line.window_step);
     let middle = stage.place(line.to_window.at(0.5));
     let [from, to] = [0.0, 1.0].map(|t| stage.place(line.to_window.at(t)));
-    // between the lines down from the COP and the pixel's centre, or else without the numbers
-    let room = from.distance(to) - 0.5 * sheet.letters;
+    // between the lines down from the COP and the pixel's centre, or else without the numbers; the letters of a page are
+    // narrower than those that are measured
+    let room = from.distance(to);
     let text = format!("Δ = {}", coordinates(line.to_window.direction));
     let is_told = figure.shows(Layer::Numbers) && sheet.width_of(&text) <= room;
     let text = if is_told { text } else { "Δ".into() };

@@ -5,6 +5,7 @@
 
 use glam::{DVec2, DVec3};
 
+use crate::explain::MINUS;
 use crate::figure::canvas::{coordinates, quantity};
 use crate::figure::drawing::{DrawnRay, Figure};
 use crate::figure::error::FigureError;
@@ -249,14 +250,14 @@ fn working_of_normal(
     let height = sheet.line_height();
     let place = |line: f64| DVec2::new(lines.min.x, lines.min.y + (line + 0.75) * height);
     sheet.at_step(step);
-    let turned = if shade.back { "-" } else { "" };
-    let formula = format!("N = {turned}((x - a)/r, (y - b)/r, (z - c)/r)");
+    let turned = if shade.back { "−" } else { "" };
+    let formula = format!("N = {turned}((x − a)/r, (y − b)/r, (z − c)/r)");
     sheet.text(Anchor::Start, place(0.0), formula);
     if figure.shows(Layer::Numbers) {
         let (p, center) = (shade.point.to_array(), solved.sphere.center.to_array());
         let r = quantity(solved.sphere.radius);
         let parts = [0, 1, 2].map(|i| {
-            let sign = if center[i] < 0.0 { '+' } else { '-' };
+            let sign = if center[i] < 0.0 { '+' } else { MINUS };
             format!(
                 "({} {sign} {})/{r}",
                 quantity(p[i]),
@@ -324,8 +325,8 @@ fn quadratic(figure: &Figure, sheet: &mut Sheet, frame: Frame, solved: &Solved) 
 
 /// A further term of a sum.
 fn term(value: f64) -> String {
-    match quantity(value).strip_prefix('-') {
-        Some(positive) => format!("- {positive}"),
+    match quantity(value).strip_prefix(MINUS) {
+        Some(positive) => format!("{MINUS} {positive}"),
         None => format!("+ {}", quantity(value)),
     }
 }

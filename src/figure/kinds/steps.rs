@@ -3,13 +3,14 @@
 
 use glam::DVec2;
 
+use crate::explain::cell_name;
 use crate::figure::canvas::quantity;
 use crate::figure::drawing::Figure;
 use crate::figure::error::FigureError;
 use crate::figure::frame::Frame;
 use crate::figure::kinds::Kind;
 use crate::figure::kinds::plan::Plan;
-use crate::figure::kinds::walk::{Visit, Walk, axes, cell_name};
+use crate::figure::kinds::walk::{Visit, Walk, axes};
 use crate::figure::look::Look;
 use crate::figure::scenery;
 use crate::figure::sheet::{Anchor, Sheet};

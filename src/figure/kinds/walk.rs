@@ -148,11 +148,6 @@ pub(super) fn axes(across: Across) -> &'static [usize] {
     }
 }
 
-/// A cell in words.
-pub(super) fn cell_name([i, j, k]: [u32; 3]) -> String {
-    format!("[{i}, {j}, {k}]")
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
