@@ -48,17 +48,22 @@
 //! # }
 //! ```
 
+#[cfg(feature = "book")]
 pub mod book;
 pub mod explain;
 pub mod figure;
+#[cfg(feature = "files")]
+pub mod files;
 pub mod geometry;
 pub mod lesson;
+mod parallel;
 pub mod scene;
 pub mod strategy;
 pub mod structure;
 pub mod trace;
 pub mod tracer;
 
+#[cfg(feature = "book")]
 pub use book::{BookError, BookMistake, BookOptions, Preprocessed, preprocess};
 pub use explain::{
     Compared, Comparison, Cost, CrowdedCell, DERIVATIONS, Derivation, ErrorOf, Fold, InAdvance,
@@ -70,6 +75,8 @@ pub use figure::{
     Drawn, DroppedAxis, FigureError, FigureKind, FigureSpec, Layer, OF_EVERY_PIXEL, Raster,
     Rendition, Traced, View, Width, cost_chart, draw, heat_map, text_width,
 };
+#[cfg(feature = "files")]
+pub use files::{Folder, load, open_lessons};
 pub use geometry::{
     AlignedRay, AlignedSlab, Alignment, Axis, AxisBox, BoxTest, Cone, DecidedBy, EdgeTest,
     Ellipsoid, Fate, GRAZE, MOST_SLABS, OrientedEllipsoid, Plane, PlaneTest, PlaneVerdict, Polygon,
@@ -77,14 +84,16 @@ pub use geometry::{
     SlabRay, SlabSetError, Sphere, TRange, disc_in_polygon, interpolated_normal,
     mean_value_weights, polygon_in_rectangle, reflect, refract, slab_directions,
 };
+#[cfg(feature = "schema")]
+pub use lesson::lesson_schema;
 pub use lesson::{
     FigureName, Lesson, LessonError, LessonFile, Library, NotCompared, compare, compare_transports,
-    lesson_schema, light_of_lamps, scan_lines_to_compare, trace_figure,
+    light_of_lamps, scan_lines_to_compare, trace_figure,
 };
 pub use scene::{
-    Camera, Emission, Fault, Folder, LARGEST_FILE, LONGEST_LINE, Light, LoadError, Loaded,
-    Material, Materials, Normals, Object, PhongTerm, Place, Primitive, PrimitiveId, ReadEnd, Scene,
-    SceneFault, SceneFile, Shape, WindowCrossing, load, load_bytes, load_from, load_text,
+    Camera, Emission, Fault, Files, IsOutside, LARGEST_FILE, LONGEST_LINE, Light, LoadError,
+    Loaded, Material, Materials, NoFiles, Normals, Object, PhongTerm, Place, Primitive,
+    PrimitiveId, ReadEnd, Scene, SceneFault, SceneFile, Shape, WindowCrossing, load_bytes,
     nearest_name, printable, read_up_to,
 };
 pub use strategy::{
@@ -105,12 +114,13 @@ pub use trace::{
     PhotonFate, PixelColour, PixelSample, Purpose, QueueAction, QueueStep, RayCount, RayEnd,
     RayNode, RaySlab, RayStart, RayTree, Record, Recorder, Recording, Region, Settings, Shade,
     Sink, SlabTest, Stored, StrategyName, TestCount, Through, Transport, UsefulRays, Verdict,
-    Visibility, WalkEnd, Why, ZSort, begins_log, geometry_term, scene_schema, trace_schema,
-    write_log_head,
+    Visibility, WalkEnd, Why, ZSort, begins_log, geometry_term, write_log_head,
 };
+#[cfg(feature = "schema")]
+pub use trace::{scene_schema, trace_schema};
 pub use tracer::{
-    EPSILON, Heat, HeatLine, HeatOf, LightError, LightPass, LogOptions, LogStopped, LoggedPaths,
-    MAX_RAYS, MOST_SURFACES, Picture, Stopped, StoredLight, StoredPhoton, Surface, Tracer,
-    check_light, eye_samples, heat_values, paths_behind, render, simple, start_epsilon,
+    EPSILON, Heat, HeatLine, HeatOf, LightError, LightPass, LightSetting, LogOptions, LogStopped,
+    LoggedPaths, MAX_RAYS, MOST_SURFACES, Picture, Stopped, StoredLight, StoredPhoton, Surface,
+    Tracer, check_light, eye_samples, heat_values, paths_behind, render, simple, start_epsilon,
     trace_pixel, write_log,
 };

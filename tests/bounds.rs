@@ -8,10 +8,9 @@ mod same_hits;
 mod worked;
 
 use std::f64::consts::TAU;
-use std::path::Path;
 
 use glam::{DQuat, DVec3};
-use raystep::{Loaded, MOST_SLABS, Scene, SlabSet, Volume, VolumeKind, load_bytes};
+use raystep::{Loaded, MOST_SLABS, NoFiles, Scene, SlabSet, Volume, VolumeKind, load_bytes};
 use serde_json::{Value, json};
 
 use crate::seeded::Seeded;
@@ -36,7 +35,7 @@ fn scene(shapes: &[Value]) -> Scene {
         "materials": { "red": { "colour": [0.8, 0.2, 0.1], "diffuse": 0.7 } },
         "objects": objects
     });
-    let loaded = load_bytes("scene.json", scene.to_string().as_bytes(), Path::new(""));
+    let loaded = load_bytes("scene.json", scene.to_string().as_bytes(), &NoFiles);
     loaded.and_then(Loaded::build).unwrap()
 }
 

@@ -7,8 +7,8 @@ mod strategies;
 use std::path::Path;
 
 use raystep::{
-    Chosen, Recording, Scene, Settings, Strategy, StrategyName, Through, Tracer, Transport,
-    WorkedOptions, load, load_bytes, trace_pixel,
+    Chosen, NoFiles, Recording, Scene, Settings, Strategy, StrategyName, Through, Tracer,
+    Transport, WorkedOptions, load, load_bytes, trace_pixel,
 };
 
 use crate::worked_solution::worked_text;
@@ -695,7 +695,7 @@ fn a_cone_along_its_generator_can_be_computed_again() {
             "material": "m", "shape": {{"cone": {{"base": [0, 0, 0], "base_radius": 3, "apex": [0, 4, 0],
             "apex_radius": 0}}}}}}]}}"#
         );
-        let scene = load_bytes("cone.json", text.as_bytes(), Path::new("")).unwrap();
+        let scene = load_bytes("cone.json", text.as_bytes(), &NoFiles).unwrap();
         let scene = scene.build().unwrap();
         for strategy in [StrategyName::Exhaustive, StrategyName::ZAligned] {
             let settings = Settings {

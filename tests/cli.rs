@@ -10,7 +10,7 @@ mod manners;
 mod pipes;
 mod usual_strategy;
 
-use raystep::{Kind, Scene, load_bytes};
+use raystep::{Kind, NoFiles, Scene, load_bytes};
 use run::{Folder, SCENE};
 use serde_json::Value;
 
@@ -23,7 +23,7 @@ const NFF: [(&str, &str); 2] = [
 ];
 
 fn scene_of(file: &str, text: &[u8]) -> Scene {
-    let loaded = load_bytes(file, text, "".as_ref()).unwrap();
+    let loaded = load_bytes(file, text, &NoFiles).unwrap();
     loaded.build().unwrap()
 }
 

@@ -8,8 +8,8 @@ mod table;
 mod transports;
 
 use raystep::{
-    Compared, Comparison, Cost, Counts, Exhaustive, Scene, Settings, Through, Tracer, Transport,
-    load_bytes, render, strategies_to_compare,
+    Compared, Comparison, Cost, Counts, Exhaustive, NoFiles, Scene, Settings, Through, Tracer,
+    Transport, load_bytes, render, strategies_to_compare,
 };
 use serde_json::Value;
 
@@ -310,7 +310,7 @@ fn without_objects_there_is_no_share() {
 }
 
 fn lesson() -> Scene {
-    let loaded = load_bytes("scene.json", LESSON.as_bytes(), "".as_ref()).unwrap();
+    let loaded = load_bytes("scene.json", LESSON.as_bytes(), &NoFiles).unwrap();
     loaded.build().unwrap()
 }
 

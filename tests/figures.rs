@@ -13,7 +13,7 @@ use roxmltree::{Document, Node};
 const ID: &str = "raystep-test";
 
 fn library() -> Library {
-    Library::open(&Path::new(env!("CARGO_MANIFEST_DIR")).join("lessons")).unwrap()
+    raystep::open_lessons(&Path::new(env!("CARGO_MANIFEST_DIR")).join("lessons")).unwrap()
 }
 
 /// Each figure with its trace.

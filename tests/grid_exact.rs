@@ -10,10 +10,9 @@ mod lists;
 mod same_hits;
 
 use std::cmp::Ordering;
-use std::path::Path;
 
 use glam::DVec3;
-use raystep::{Across, CellStep, Grid, GridOptions, Ray, Scene, TRange, load_bytes};
+use raystep::{Across, CellStep, Grid, GridOptions, NoFiles, Ray, Scene, TRange, load_bytes};
 
 use crate::exact::Exact;
 use crate::seeded::Seeded;
@@ -31,7 +30,7 @@ fn scene(shapes: &[String]) -> Scene {
         "materials": {{"m": {{"colour": [1, 1, 1]}}}}, "objects": [{}]}}"#,
         objects.join(",")
     );
-    let loaded = load_bytes("scene.json", text.as_bytes(), Path::new("."));
+    let loaded = load_bytes("scene.json", text.as_bytes(), &NoFiles);
     loaded.unwrap().build().unwrap()
 }
 

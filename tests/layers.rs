@@ -4,7 +4,8 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// From pure mathematics to the command line.
-const LAYERS: [&str; 11] = [
+const LAYERS: [&str; 13] = [
+    "parallel",
     "geometry",
     "scene",
     "structure",
@@ -14,6 +15,7 @@ const LAYERS: [&str; 11] = [
     "explain",
     "figure",
     "lesson",
+    "files",
     "book",
     "cli",
 ];
@@ -39,7 +41,7 @@ fn src() -> PathBuf {
 }
 
 fn layer_of(path: &Path) -> Option<usize> {
-    let relative = path.strip_prefix(src()).unwrap();
+    let relative = path.strip_prefix(src()).unwrap().with_extension("");
     let folder = relative.iter().next().unwrap().to_str().unwrap();
     LAYERS.iter().position(|layer| *layer == folder)
 }

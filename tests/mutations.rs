@@ -8,10 +8,9 @@ mod damage;
 use std::any::Any;
 use std::fs;
 use std::panic::{AssertUnwindSafe, catch_unwind};
-use std::path::Path;
 
 use raystep::{
-    Exhaustive, FigureSpec, Library, LoadError, LogReader, Off, Rendition, Settings, StrategyName,
+    Exhaustive, FigureSpec, LoadError, LogReader, NoFiles, Off, Rendition, Settings, StrategyName,
     Through, Tracer, Transport, Width, WorkedOptions, load_bytes, pixel_json, preprocess,
     trace_pixel, worked_solution,
 };
@@ -138,7 +137,7 @@ fn told(panic: &(dyn Any + Send)) -> &str {
 
 /// A scene, and if it is one, a pixel of it.
 fn read_scene(file: &str, bytes: &[u8]) -> Result<(), String> {
-    let traced = load_bytes(file, bytes, Path::new("no/such/folder")).and_then(|mut loaded| {
+    let traced = load_bytes(file, bytes, &NoFiles).and_then(|mut loaded| {
         // deeper trees take longer and show nothing else
         loaded.scene.max_depth = loaded.scene.max_depth.min(3);
         loaded.build()
@@ -258,7 +257,7 @@ fn damaged_lessons_are_drawn_or_refused() {
     let file = lessons.join("01-ball/lesson.json");
     survives(5, LESSONS, &[LESSON.as_bytes()], |bytes| {
         fs::write(&file, bytes).unwrap();
-        let library = Library::open(&lessons).map_err(|error| error.to_string())?;
+        let library = raystep::open_lessons(&lessons).map_err(|error| error.to_string())?;
         for name in library.figures() {
             let (lesson, spec) = library.find(&name).map_err(|error| error.to_string())?;
             if !is_quick(spec) {

@@ -6,13 +6,11 @@
 //! is computed of it is rounding alone. The equations here are solved in whole numbers of 128 bits, so that it
 //! is known which of them are 0.
 
-use std::path::Path;
-
 use glam::DVec3;
 use raystep::{
-    AlignedRay, BoundedObjects, Build, Cone, DepthFirst, Ellipsoid, Exhaustive, GridOptions, Off,
-    Primitive, QuadraticTest, Ray, Roots, Scene, Shape, Sides, SlabSet, Sphere, Strategy, TRange,
-    UniformGrid, VolumeKind, ZAligned, load_bytes,
+    AlignedRay, BoundedObjects, Build, Cone, DepthFirst, Ellipsoid, Exhaustive, GridOptions,
+    NoFiles, Off, Primitive, QuadraticTest, Ray, Roots, Scene, Shape, Sides, SlabSet, Sphere,
+    Strategy, TRange, UniformGrid, VolumeKind, ZAligned, load_bytes,
 };
 
 use crate::seeded::Seeded;
@@ -439,7 +437,7 @@ fn scene_of(quadric: Quadric) -> Scene {
       "materials": { "m": { "colour": [1, 1, 1] } },
       "objects": [ { "name": "A", "material": "m", "shape": { "sphere": { "center": [0, 0, 0], "radius": 1 } } } ]
     }"#;
-    let loaded = load_bytes("quadric.json", text, Path::new("")).unwrap();
+    let loaded = load_bytes("quadric.json", text, &NoFiles).unwrap();
     let mut scene = loaded.build().unwrap();
     scene.primitives = vec![Primitive {
         shape: quadric.shape(),

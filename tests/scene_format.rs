@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use glam::DVec3;
-use raystep::{Emission, Fault, LoadError, Scene, Shape, Sides, load, load_bytes};
+use raystep::{Emission, Fault, LoadError, NoFiles, Scene, Shape, Sides, load, load_bytes};
 
 fn example() -> Scene {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("lessons/04-sphere/scene.json");
@@ -69,7 +69,7 @@ const ONE_TRIANGLE: &str = r#"{
 
 #[test]
 fn a_mesh_may_stand_in_the_scene_itself_and_is_told_by_its_faces() {
-    let scene = load_bytes("m.json", ONE_TRIANGLE.as_bytes(), Path::new(""));
+    let scene = load_bytes("m.json", ONE_TRIANGLE.as_bytes(), &NoFiles);
     let scene = scene.unwrap().build().unwrap();
     assert_eq!(scene.name_of(raystep::PrimitiveId(0)), ("t", Some(0)));
     assert_eq!(scene.max_depth, 5);
@@ -78,7 +78,7 @@ fn a_mesh_may_stand_in_the_scene_itself_and_is_told_by_its_faces() {
 #[test]
 fn a_value_that_makes_no_sense_is_named_with_its_line_and_path() {
     let bad = ONE_TRIANGLE.replace("[0, 1, 5]", "[2, 0, 5]");
-    let loaded = load_bytes("m.json", bad.as_bytes(), Path::new("")).unwrap();
+    let loaded = load_bytes("m.json", bad.as_bytes(), &NoFiles).unwrap();
     let Err(LoadError::Fault { place, fault }) = loaded.build() else {
         panic!("a triangle without area was taken");
     };
@@ -93,6 +93,6 @@ fn a_scene_written_again_is_the_same_scene() {
     let mut file = scene.head();
     file.objects = scene.objects.iter().map(|o| scene.object_file(o)).collect();
     let text = serde_json::to_string(&file).unwrap();
-    let again = load_bytes("again.json", text.as_bytes(), Path::new(""));
+    let again = load_bytes("again.json", text.as_bytes(), &NoFiles);
     assert_eq!(again.unwrap().build().unwrap(), scene);
 }

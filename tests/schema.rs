@@ -163,7 +163,7 @@ fn scenes_that_do_not_load_are_refused() {
         set(&mut scene, pointer, to.clone());
         assert!(!schema.is_valid(&scene), "{pointer} = {to:?} is allowed");
         let text = scene.to_string();
-        let loaded = raystep::load_bytes("a.json", text.as_bytes(), "".as_ref());
+        let loaded = raystep::load_bytes("a.json", text.as_bytes(), &raystep::NoFiles);
         let built = loaded.and_then(raystep::Loaded::build);
         assert!(built.is_err(), "{pointer} = {to:?} loads");
     }

@@ -11,9 +11,9 @@ use std::io::{self, Write};
 use std::path::Path;
 
 use raystep::{
-    Chosen, Kind, Kinds, Loaded, LogOptions, LogReader, LogStopped, LoggedPaths, Off, Record,
-    Recording, Region, Scene, Settings, Strategy, Through, Tracer, WorkedOptions, load, load_bytes,
-    trace_pixel, write_log,
+    Chosen, Kind, Kinds, Loaded, LogOptions, LogReader, LogStopped, LoggedPaths, NoFiles, Off,
+    Record, Recording, Region, Scene, Settings, Strategy, Through, Tracer, WorkedOptions, load,
+    load_bytes, trace_pixel, write_log,
 };
 
 use crate::worked_solution::worked_text;
@@ -61,7 +61,7 @@ pub(crate) const MIXED: &str = r#"{
 /// The scene of a JSON text.
 #[track_caller]
 pub(crate) fn built(text: &str) -> Scene {
-    let loaded = load_bytes("scene.json", text.as_bytes(), Path::new(""));
+    let loaded = load_bytes("scene.json", text.as_bytes(), &NoFiles);
     loaded.and_then(Loaded::build).unwrap()
 }
 

@@ -5,12 +5,10 @@ mod ranges;
 mod renderers;
 mod strategies;
 
-use std::path::Path;
-
 use raystep::explain::render;
 use raystep::{
-    Exhaustive, Kind, Kinds, Record, Recording, Scene, Settings, Through, Tracer, Transport,
-    WorkedOptions, load_bytes, trace_pixel,
+    Exhaustive, Kind, Kinds, NoFiles, Record, Recording, Scene, Settings, Through, Tracer,
+    Transport, WorkedOptions, load_bytes, trace_pixel,
 };
 
 /// One pixel, whose eye ray runs along z from the origin: every number below is one of a few halves.
@@ -49,7 +47,7 @@ pub(crate) fn worked_text(
 }
 
 fn scene() -> Scene {
-    let loaded = load_bytes("paper.json", SCENE.as_bytes(), Path::new("")).unwrap();
+    let loaded = load_bytes("paper.json", SCENE.as_bytes(), &NoFiles).unwrap();
     loaded.build().unwrap()
 }
 

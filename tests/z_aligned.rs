@@ -7,8 +7,8 @@ use std::path::Path;
 
 use glam::DVec3;
 use raystep::{
-    AlignedRay, Alignment, AxisBox, Ellipsoid, Exhaustive, Hit, Off, Polygon, Primitive, Ray,
-    Scene, Shape, Sides, Sphere, Strategy, TRange, ZAligned, load, load_bytes,
+    AlignedRay, Alignment, AxisBox, Ellipsoid, Exhaustive, Hit, NoFiles, Off, Polygon, Primitive,
+    Ray, Scene, Shape, Sides, Sphere, Strategy, TRange, ZAligned, load, load_bytes,
 };
 
 use crate::seeded::Seeded;
@@ -28,7 +28,7 @@ fn scene(shapes: Vec<(Shape, Sides)>) -> Scene {
       "materials": { "m": { "colour": [1, 1, 1] } },
       "objects": [ { "name": "A", "material": "m", "shape": { "sphere": { "center": [0, 0, 0], "radius": 1 } } } ]
     }"#;
-    let loaded = load_bytes("shapes.json", text, Path::new("")).unwrap();
+    let loaded = load_bytes("shapes.json", text, &NoFiles).unwrap();
     let mut scene = loaded.build().unwrap();
     let primitive = |(shape, sides)| Primitive {
         shape,

@@ -2,8 +2,9 @@
 
 use std::fmt;
 
+use crate::book::html::shortened;
 use crate::lesson::LessonError;
-use crate::scene::{printable, shortened};
+use crate::scene::printable;
 
 /// A directive that cannot be followed.
 #[derive(Debug)]

@@ -2,6 +2,7 @@
 
 use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
+use std::time::Duration;
 
 use crate::book::directive::{Asks, Directive};
 use crate::book::html::{one_line, prose};
@@ -324,9 +325,11 @@ fn table(named: &Named, words: &[String]) -> Result<String, String> {
     let Traced {
         scene, settings, ..
     } = first(named)?;
+    // times would differ from build to build; a table of a book has none
+    let no_clock = || Duration::ZERO;
     let (title, rows) = if transports {
         let scene = light_of_lamps(scene.clone());
-        let comparison = compare_transports(&scene, settings, MAX_RAYS, |_| {});
+        let comparison = compare_transports(&scene, settings, MAX_RAYS, no_clock, |_| {});
         let comparison = comparison.map_err(|error| match error {
             NotCompared::Light(fault) => format!("{fault}: {}", fault.fix()),
             NotCompared::Stopped { stopped, .. } => too_many_rays(stopped),
@@ -334,7 +337,7 @@ fn table(named: &Named, words: &[String]) -> Result<String, String> {
         (comparison.title(), comparison.rows())
     } else {
         let comparison =
-            compare(scene, settings, pixel, MAX_RAYS, |_| {}).map_err(too_many_rays)?;
+            compare(scene, settings, pixel, MAX_RAYS, no_clock, |_| {}).map_err(too_many_rays)?;
         (comparison.title(), comparison.rows())
     };
     let row = |cells: &[String], tag: &str| {

@@ -21,6 +21,14 @@ pub(super) fn one_line(svg: &str) -> String {
     braces.replace('\n', " ")
 }
 
+/// The first `longest` characters of a text, and three dots if there are more.
+pub(super) fn shortened(text: &str, longest: usize) -> String {
+    match text.char_indices().nth(longest) {
+        Some((end, _)) => format!("{}…", &text[..end]),
+        None => text.into(),
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -32,5 +40,11 @@ mod tests {
         let html = escaped(name);
         assert!(!html.contains(['<', '>', '{', '\n', '"']), "{html}");
         assert_eq!(prose("*a*|b 1.5e-9"), "&#42;a&#42;&#124;b 1.5e-9");
+    }
+
+    #[test]
+    fn a_long_text_ends_in_dots() {
+        assert_eq!(shortened("éé", 2), "éé");
+        assert_eq!(shortened("ééé", 2), "éé…");
     }
 }

@@ -6,6 +6,7 @@ mod error;
 mod expand;
 mod html;
 mod preprocessor;
+mod protocol;
 mod value;
 
 pub use error::{BookError, BookMistake};

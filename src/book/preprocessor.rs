@@ -1,15 +1,15 @@
 //! The protocol between mdBook and this program: a book goes in, the same book with its directives followed comes out.
 
-use std::io::{BufRead, BufReader, Read};
+use std::io::Read;
 use std::path::{Path, PathBuf};
 
-use mdbook_preprocessor::book::{Book, Chapter};
-use mdbook_preprocessor::{MDBOOK_VERSION, PreprocessorContext, parse_input};
 use serde::Deserialize;
 
 use crate::book::directive::directives;
 use crate::book::expand::{Expander, word};
+use crate::book::protocol::{self, Book, Context, MDBOOK_VERSION};
 use crate::book::{BookError, BookMistake};
+use crate::files::Folder;
 use crate::lesson::Library;
 use crate::scene::LARGEST_FILE;
 
@@ -57,18 +57,19 @@ pub struct Preprocessed {
 /// Input that is not mdBook's, settings that make no sense, lessons that cannot be read, or directives that cannot be
 /// followed: all of those, each with its chapter and line.
 pub fn preprocess(input: impl Read) -> Result<Preprocessed, BookError> {
-    let mut input = BufReader::new(input.take(LARGEST_FILE));
-    let start = input.fill_buf();
-    let start = start.map_err(|error| BookError::Protocol(error.to_string()))?;
-    if start.is_empty() {
+    let mut json = Vec::new();
+    let read = input.take(LARGEST_FILE).read_to_end(&mut json);
+    read.map_err(|error| BookError::Protocol(error.to_string()))?;
+    if json.is_empty() {
         return Err(BookError::Protocol("standard input is empty".into()));
     }
-    let parsed = parse_input(input);
-    let (context, mut book) = parsed.map_err(|error| BookError::Protocol(format!("{error:#}")))?;
-    let options: Option<BookOptions> = context
-        .config
-        .get("preprocessor.raystep")
-        .map_err(|error| BookError::Settings(format!("{error:#}")))?;
+    let (context, mut book) = protocol::parse(&json).map_err(BookError::Protocol)?;
+    let options = match context.config.pointer("/preprocessor/raystep") {
+        Some(options) => BookOptions::deserialize(options)
+            .map(Some)
+            .map_err(|error| BookError::Settings(error.to_string()))?,
+        None => None,
+    };
     let options = options.unwrap_or_default();
     let given = options.lessons.clone();
     let folder = context
@@ -77,11 +78,13 @@ pub fn preprocess(input: impl Read) -> Result<Preprocessed, BookError> {
     let mut notes: Vec<String> = version_note(&context).into_iter().collect();
 
     // a book without directives needs no lessons
-    let asks = book
-        .chapters()
-        .any(|chapter| !directives(&chapter.content).is_empty());
+    let [mut asks, mut escapes] = [false; 2];
+    book.for_each_chapter(&mut |chapter| {
+        asks |= !directives(chapter.content).is_empty();
+        escapes |= chapter.content.contains("\\{{#raystep");
+    });
     if asks {
-        let library = Library::open_with(&folder, options.allow_outside)
+        let library = Library::open(&Folder::new(folder).allow_outside(options.allow_outside))
             .map_err(|error| BookError::Lessons(Box::new(error)))?;
         // the command line looks there by itself
         let other = given.filter(|given| given != Path::new(LESSONS));
@@ -92,27 +95,26 @@ pub fn preprocess(input: impl Read) -> Result<Preprocessed, BookError> {
         }
     }
     let before = options.before.unwrap_or_default();
-    let escapes = |chapter: &Chapter| chapter.content.contains("\\{{#raystep");
-    if !before.iter().any(|name| name == "links") && book.chapters().any(escapes) {
+    if escapes && !before.iter().any(|name| name == "links") {
         notes.push(
             "book.toml: add before = [\"links\"] to [preprocessor.raystep]: mdBook's own preprocessor takes \
              the backslash from \\{{#raystep …}} otherwise"
                 .into(),
         );
     }
-    let book =
-        serde_json::to_string(&book).map_err(|error| BookError::Protocol(error.to_string()))?;
-    Ok(Preprocessed { book, notes })
+    Ok(Preprocessed {
+        book: book.json(),
+        notes,
+    })
 }
 
 /// Follows the directives of all chapters, sub-chapters included.
 fn follow(book: &mut Book, expander: &mut Expander) -> Vec<BookMistake> {
     let mut mistakes = Vec::new();
-    book.for_each_chapter_mut(|chapter| {
-        let file = chapter.source_path.as_ref().or(chapter.path.as_ref());
-        let file = file.map_or_else(|| chapter.name.clone(), |path| path.display().to_string());
+    book.for_each_chapter(&mut |chapter| {
+        let file = chapter.file;
         let slug = word(file.trim_end_matches(".md"));
-        let content = &chapter.content;
+        let content = &*chapter.content;
         let mut followed = String::with_capacity(content.len());
         let mut copied = 0;
         for directive in directives(content) {
@@ -129,13 +131,13 @@ fn follow(book: &mut Book, expander: &mut Expander) -> Vec<BookMistake> {
             }
         }
         followed.push_str(&content[copied..]);
-        chapter.content = followed;
+        *chapter.content = followed;
     });
     mistakes
 }
 
 /// mdBook's protocol may change with every 0.x.
-fn version_note(context: &PreprocessorContext) -> Option<String> {
+fn version_note(context: &Context) -> Option<String> {
     let series = |version: &str| {
         version
             .split('.')

@@ -2,9 +2,10 @@
 
 use serde_json::{Map, Value, json};
 
+use crate::book::html::shortened;
 use crate::explain::{counts_json, shown};
 use crate::figure::Traced;
-use crate::scene::{nearest_name, quoted, shortened};
+use crate::scene::{nearest_name, quoted};
 use crate::trace::{Counts, LogNames, Recorder, write_event};
 
 /// How many digits a number has in prose, as in the worked solution.

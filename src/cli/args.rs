@@ -13,6 +13,7 @@ use raystep::{
 };
 
 use crate::cli::Error;
+use crate::cli::word::one_of;
 pub(crate) use figures::{Drawing, FigureArgs, FiguresArgs, MdbookArgs, MdbookVerb, WidthName};
 
 /// The most threads that one may ask for: no machine has more cores, and to start many more takes longer than to trace.
@@ -131,16 +132,16 @@ pub(crate) struct Reading {
 pub(crate) struct Tracing {
     /// Which objects each ray is tested against [default: hierarchy to render, unless a heat map; for a pixel or a
     /// log exhaustive, and beyond 1000 objects hierarchy]
-    #[arg(long, value_enum, value_name = "NAME")]
+    #[arg(long, value_parser = one_of::<StrategyName>(), value_name = "NAME")]
     pub(crate) strategy: Option<StrategyName>,
     /// How the tree is built, for hierarchy and heap [default: bottom-up]
-    #[arg(long, value_enum, value_name = "NAME")]
+    #[arg(long, value_parser = one_of::<Build>(), value_name = "NAME")]
     pub(crate) build: Option<Build>,
     /// Volume around each object, for bounds [default: box]
-    #[arg(long, value_enum, value_name = "NAME")]
+    #[arg(long, value_parser = one_of::<VolumeKind>(), value_name = "NAME")]
     pub(crate) volume: Option<VolumeKind>,
     /// Directions of slabs, for hierarchy, heap, and bounds with the volume slabs [default: axes]
-    #[arg(long, value_enum, value_name = "NAME")]
+    #[arg(long, value_parser = one_of::<SlabChoice>(), value_name = "NAME")]
     pub(crate) slabs: Option<SlabChoice>,
     /// Cells along x, y and z, for grid [default: by the density]
     #[arg(long, value_name = "NX,NY,NZ", value_parser = cells)]
@@ -150,7 +151,7 @@ pub(crate) struct Tracing {
     #[arg(allow_hyphen_values = true)]
     pub(crate) density: Option<f64>,
     /// By what objects are put into cells, for grid [default: objects]
-    #[arg(long, value_enum, value_name = "NAME")]
+    #[arg(long, value_parser = one_of::<Lists>(), value_name = "NAME")]
     pub(crate) lists: Option<Lists>,
     /// Test an object in every cell that lists it, for grid
     #[arg(long)]
@@ -191,7 +192,7 @@ impl Tracing {
 #[command(next_help_heading = "Rays")]
 pub(crate) struct Casting {
     /// Which rays are cast [default: hybrid-light]
-    #[arg(long, value_enum, value_name = "NAME")]
+    #[arg(long, value_parser = one_of::<Transport>(), value_name = "NAME")]
     pub(crate) transport: Option<Transport>,
     /// Size of the picture, in place of the scene's
     #[arg(long, value_name = "W,H", value_parser = pixels)]
@@ -206,7 +207,7 @@ pub(crate) struct Casting {
     #[arg(long)]
     pub(crate) one_sided: bool,
     /// Where the eye rays pass a pixel [default: centres]
-    #[arg(long, value_enum, value_name = "WHERE")]
+    #[arg(long, value_parser = one_of::<Through>(), value_name = "WHERE")]
     pub(crate) through: Option<Through>,
     /// Seed of the random numbers, for forward, hybrid-stored and hybrid-connected [default: 1]
     #[arg(help_heading = "Light")]
@@ -357,7 +358,7 @@ pub(crate) struct RenderArgs {
     pub(crate) output: PathBuf,
     /// Show what each pixel cost, from dark blue to yellow; a legend stands below, and a small picture is
     /// enlarged to its width
-    #[arg(long, value_enum, value_name = "WHAT")]
+    #[arg(long, value_parser = one_of::<HeatOf>(), value_name = "WHAT")]
     pub(crate) heatmap: Option<HeatOf>,
     /// How many threads trace [default: all cores]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=MOST_THREADS))]
@@ -416,6 +417,17 @@ pub(crate) enum TableFormat {
     Json,
     /// For tables.
     Csv,
+}
+
+impl TableFormat {
+    /// Its word.
+    pub(crate) fn word(self) -> &'static str {
+        match self {
+            Self::Text => "text",
+            Self::Json => "json",
+            Self::Csv => "csv",
+        }
+    }
 }
 
 /// A scene in JSON.

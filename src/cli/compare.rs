@@ -15,7 +15,6 @@ use crate::cli::output::{self, Output};
 use crate::cli::pixel::inside;
 use crate::cli::progress::{bar, bar_of, on_threads};
 use crate::cli::same_file::Taken;
-use crate::cli::structure_options::word;
 use crate::cli::usual::Usual;
 
 /// Begins the ids of the chart.
@@ -33,7 +32,7 @@ pub(crate) fn run(args: &CompareArgs) -> Result<(), Error> {
     if args.wide && args.format != TableFormat::Text {
         return Err(Error::Unused {
             option: "--wide",
-            chosen: format!("--format {}, which has all columns", word(&args.format)),
+            chosen: format!("--format {}, which has all columns", args.format.word()),
             users: vec!["--format text".into()],
         });
     }
@@ -56,9 +55,11 @@ pub(crate) fn run(args: &CompareArgs) -> Result<(), Error> {
     let settings = &ready.settings;
     let strategy = Exhaustive::new(scene);
     tell_notes(&args.scene, check_light(scene, &strategy, settings))?;
+    let started = Instant::now();
+    let clock = || started.elapsed();
     let bar = bar(scan_lines_to_compare(scene, settings, pixel));
     let comparison = on_threads(args.threads, || {
-        compare(scene, settings, pixel, ready.max_rays, |done| {
+        compare(scene, settings, pixel, ready.max_rays, clock, |done| {
             bar.set_position(done);
         })
     })?;
@@ -96,10 +97,12 @@ fn scene_of(
 fn transports(args: &CompareArgs) -> Result<(), Error> {
     let ready = scene_of(args, input::ready_for_all)?;
     let scene = light_of_lamps(ready.scene);
+    let started = Instant::now();
+    let clock = || started.elapsed();
     let bar = bar_of(Transport::ALL.len() as u64, "kinds of ray tracing");
     let compared = on_threads(args.threads, || {
         let done = |done| bar.set_position(done);
-        compare_transports(&scene, &ready.settings, ready.max_rays, done)
+        compare_transports(&scene, &ready.settings, ready.max_rays, clock, done)
     })?;
     bar.finish_and_clear();
     let comparison = compared.map_err(|error| match error {

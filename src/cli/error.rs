@@ -5,8 +5,8 @@ use std::io;
 
 use clap::error::{ContextKind, ContextValue};
 use raystep::{
-    BookError, Fault, GridError, LessonError, LightError, LoadError, LogError, Region, Stopped,
-    StructureError, Transport, printable,
+    BookError, Fault, GridError, LessonError, LightError, LightSetting, LoadError, LogError,
+    Region, Stopped, StructureError, Transport, printable,
 };
 
 /// Why a command did not do what it was asked to.
@@ -194,6 +194,9 @@ impl fmt::Display for Error {
             Self::Load(error @ LoadError::Outside { .. }) => {
                 write!(f, "{error} with --allow-outside")
             }
+            Self::Load(error @ LoadError::Form { schema: Some(schema), .. }) => {
+                write!(f, "{error}: 'raystep schema {}' prints it", schema.name())
+            }
             Self::Load(error) => error.fmt(f),
             Self::EmptyInput => f.write_str(
                 "standard input is empty\n  give it a scene or a log, as in: raystep trace scene.json | raystep pixel - 80,60",
@@ -204,8 +207,18 @@ impl fmt::Display for Error {
                 printable(file),
                 bytes >> 30
             ),
+            Self::Log(error @ LogError::Line { .. }) => write!(f, "{error} with 'raystep trace'"),
             Self::Log(error) => error.fmt(f),
-            Self::Lesson(error) => error.fmt(f),
+            Self::Lesson(error) => {
+                error.fmt(f)?;
+                match &**error {
+                    LessonError::Folder { .. } => f.write_str(" with --lessons"),
+                    LessonError::Figure { error, .. } if error.is_of_log => {
+                        f.write_str(", with raystep figure NAME --write-log F.jsonl")
+                    }
+                    _ => Ok(()),
+                }
+            }
             Self::Book(error) => error.fmt(f),
             Self::Stale { stale, of, out } => write!(
                 f,
@@ -234,8 +247,10 @@ impl fmt::Display for Error {
                 None => fault.fmt(f),
             },
             Self::Light { file, fault } => {
-                write!(f, "{}: {fault}\n  {}", printable(file), fault.fix())
-            },
+                let option = |setting: LightSetting| format!("--{}", setting.name());
+                let (what, fix) = (fault.what(option), fault.fix_with(option));
+                write!(f, "{}: {what}\n  {fix}", printable(file))
+            }
             Self::PixelOutside {
                 pixel: [x, y],
                 pixels,

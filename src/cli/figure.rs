@@ -5,8 +5,8 @@ use std::io::BufReader;
 use std::path::{Path, PathBuf};
 
 use raystep::{
-    Drawn, FigureName, FigureSpec, Lesson, LessonError, Library, Loaded, LogError, Rendition,
-    Traced, Width,
+    Drawn, FigureName, FigureSpec, Folder, Lesson, LessonError, Library, Loaded, LogError,
+    Rendition, Traced, Width,
 };
 
 use crate::cli::Error;
@@ -18,7 +18,7 @@ use crate::cli::same_file::Taken;
 impl Drawing {
     /// The lessons.
     pub(crate) fn library(&self) -> Result<Library, LessonError> {
-        Library::open_with(&self.lessons, self.allow_outside)
+        Library::open(&Folder::new(&self.lessons).allow_outside(self.allow_outside))
     }
 
     /// For what it is drawn, and how it is written.

@@ -7,7 +7,7 @@ use std::time::{Duration, Instant};
 
 use raystep::{
     Chosen, Counts, CrowdedCell, Fault, Folder, LARGEST_FILE, LONGEST_LINE, LoadError, Loaded,
-    LogReader, MAX_RAYS, ReadEnd, Scene, Settings, Stopped, begins_log, load_text, read_up_to,
+    LogReader, MAX_RAYS, ReadEnd, Scene, Settings, Stopped, begins_log, load_bytes, read_up_to,
 };
 
 use crate::cli::Error;
@@ -153,7 +153,7 @@ pub(crate) fn open(path: &Path, reading: &Reading) -> Result<Input, Error> {
     } else {
         Folder::of(path)
     };
-    let loaded = load_text(&file, &bytes, &folder.allow_outside(reading.allow_outside))?;
+    let loaded = load_bytes(&file, &bytes, &folder.allow_outside(reading.allow_outside))?;
     for text in &loaded.notes {
         note(text);
     }

@@ -4,7 +4,7 @@ use raystep::Transport;
 
 use crate::cli::Error;
 use crate::cli::args::Casting;
-use crate::cli::structure_options::word;
+use crate::cli::word::word;
 
 /// An option about how light is followed, or how eye rays are cast.
 pub(crate) struct LightOption {
@@ -109,5 +109,5 @@ pub(crate) fn refuse_unused(casting: &Casting) -> Result<(), Error> {
 
 /// The option that chooses it.
 fn words(transport: Transport) -> String {
-    format!("--transport {}", word(&transport))
+    format!("--transport {}", word(transport))
 }

@@ -25,6 +25,7 @@ mod stats;
 mod structure_options;
 mod trace;
 mod usual;
+mod word;
 
 pub(crate) use error::Error;
 

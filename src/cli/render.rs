@@ -16,8 +16,8 @@ use crate::cli::output::{self, Output};
 use crate::cli::progress::{bar, on_threads};
 use crate::cli::same_file::Taken;
 use crate::cli::stats::{self, Times};
-use crate::cli::structure_options::word;
 use crate::cli::usual::Usual;
+use crate::cli::word::word;
 
 /// Writes the picture.
 pub(crate) fn run(args: &RenderArgs) -> Result<(), Error> {
@@ -46,7 +46,7 @@ pub(crate) fn run(args: &RenderArgs) -> Result<(), Error> {
             option: "--heatmap",
             chosen: format!(
                 "--transport {}: no ray belongs to one pixel alone",
-                word(&transport)
+                word(transport)
             ),
             users: vec!["another --transport".into()],
         });

@@ -4,6 +4,7 @@ use raystep::{StrategyName, StructureOptions, VolumeKind};
 
 use crate::cli::Error;
 use crate::cli::args::Tracing;
+use crate::cli::word::word;
 
 /// An option about the structure of a strategy.
 pub(crate) struct StructureOption {
@@ -100,15 +101,9 @@ fn volume_of(strategy: StrategyName, structure: &StructureOptions) -> Option<Vol
 
 /// The options that choose it.
 fn words((strategy, volume): User) -> String {
-    let strategy = format!("--strategy {}", word(&strategy));
+    let strategy = format!("--strategy {}", word(strategy));
     match volume {
-        Some(volume) => format!("{strategy} --volume {}", word(&volume)),
+        Some(volume) => format!("{strategy} --volume {}", word(volume)),
         None => strategy,
     }
-}
-
-/// A value as it is written on the command line.
-pub(crate) fn word(value: &impl clap::ValueEnum) -> String {
-    let value = value.to_possible_value();
-    value.map_or(String::new(), |value| value.get_name().into())
 }

@@ -24,7 +24,7 @@ impl Digits {
         if is_rounding(size, difference) {
             return Self::USUAL;
         }
-        let lost = (size / difference.abs()).abs().log10().ceil();
+        let lost = libm::log10((size / difference.abs()).abs()).ceil();
         if lost.is_nan() || lost <= 0.0 {
             return Self::USUAL;
         }

@@ -6,6 +6,7 @@ use crate::figure::canvas::quantity;
 use crate::figure::frame::Frame;
 use crate::figure::look::Look;
 use crate::figure::sheet::Sheet;
+use crate::figure::turn::{angle_between, at_angle};
 
 /// An angle between two directions of a sheet.
 #[derive(Clone, Copy, Debug)]
@@ -24,8 +25,8 @@ impl Angle {
             return;
         };
         let radius = self.radius * sheet.unit();
-        let turn = from.angle_to(to);
-        let along = |share: f64| from.rotate(DVec2::from_angle(share * turn));
+        let turn = angle_between(from, to);
+        let along = |share: f64| from.rotate(at_angle(share * turn));
         let points = (0..=PIECES)
             .map(|piece| self.at + radius * along(f64::from(piece) / f64::from(PIECES)));
         sheet.path(Look::THIN, points.collect());
@@ -39,7 +40,10 @@ const PIECES: u32 = 24;
 
 /// The angle of a cosine, in degrees, as a label says it.
 pub(super) fn degrees(cosine: f64) -> String {
-    format!("{}°", quantity(cosine.clamp(-1.0, 1.0).acos().to_degrees()))
+    format!(
+        "{}°",
+        quantity(libm::acos(cosine.clamp(-1.0, 1.0)).to_degrees())
+    )
 }
 
 #[cfg(test)]
@@ -53,7 +57,7 @@ mod tests {
         let angle = Angle {
             at: DVec2::new(100.0, 100.0),
             // from 170° to −170°, by way of 180°
-            between: [170.0, -170.0].map(|of: f64| DVec2::from_angle(of.to_radians())),
+            between: [170.0, -170.0].map(|of: f64| at_angle(of.to_radians())),
             radius: 50.0,
         };
         let body = sheet.body();

@@ -110,7 +110,7 @@ impl Axis {
 
     /// Where a count is, which is not 0.
     fn place(&self, count: u64) -> f64 {
-        self.one + (count as f64).log10() * self.decade
+        self.one + libm::log10(count as f64) * self.decade
     }
 
     fn draw(&self, sheet: &mut Sheet, [top, y]: [f64; 2]) {

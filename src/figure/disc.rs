@@ -12,7 +12,7 @@ pub(super) fn rim(center: DVec3, normal: DVec3, radius: f64) -> Vec<DVec3> {
     let across = normal.any_orthonormal_vector();
     let up = normal.cross(across);
     let at = |number: u32| {
-        let (sin, cos) = (TAU * f64::from(number) / f64::from(POINTS)).sin_cos();
+        let (sin, cos) = libm::sincos(TAU * f64::from(number) / f64::from(POINTS));
         center + radius * (cos * across + sin * up)
     };
     (0..POINTS).map(at).collect()

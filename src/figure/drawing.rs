@@ -38,11 +38,7 @@ pub fn draw(
     rendition: Rendition,
 ) -> Result<Drawn, FigureError> {
     let [first, ..] = traced else {
-        return Err(FigureError::new(
-            "scene",
-            "the log of this figure is empty",
-            "write it again with raystep figure NAME --write-log F.jsonl",
-        ));
+        return Err(FigureError::of_log("the log of this figure is empty"));
     };
     is_whole(spec, traced)?;
     let kind = kind(spec.kind);
@@ -98,10 +94,8 @@ fn is_whole(spec: &FigureSpec, traced: &[Traced]) -> Result<(), FigureError> {
     if traced.len() == variants && !traced.iter().any(|of| cut(&of)) {
         return Ok(());
     }
-    Err(FigureError::new(
-        "",
+    Err(FigureError::of_log(
         "the log of this figure is not whole: its end is missing, or the lesson has changed since",
-        "write it again with raystep figure NAME --write-log F.jsonl",
     ))
 }
 

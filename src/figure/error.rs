@@ -13,14 +13,26 @@ pub struct FigureError {
     pub what: String,
     /// What to do about it.
     pub fix: String,
+    /// Whether the log is at fault that the figure is drawn from, and not the specification.
+    pub is_of_log: bool,
 }
 
 impl FigureError {
-    pub(super) fn new(key: &'static str, what: impl Into<String>, fix: impl Into<String>) -> Self {
+    /// A mistake in the specification, at this key; an empty key is the specification as a whole.
+    pub(crate) fn new(key: &'static str, what: impl Into<String>, fix: impl Into<String>) -> Self {
         Self {
             key,
             what: what.into(),
             fix: fix.into(),
+            is_of_log: false,
+        }
+    }
+
+    /// A log that the figure cannot be drawn from.
+    pub(crate) fn of_log(what: impl Into<String>) -> Self {
+        Self {
+            is_of_log: true,
+            ..Self::new("", what, "write the figure's log again")
         }
     }
 }

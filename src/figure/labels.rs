@@ -13,6 +13,7 @@ use crate::figure::font;
 use crate::figure::frame::Frame;
 use crate::figure::look::{Fill, Look};
 use crate::figure::sheet::{Anchor, Form, Label, Mark, Sheet, Words, letters_frame};
+use crate::figure::turn::at_angle;
 
 /// What labels keep away from.
 struct Obstacles {
@@ -111,7 +112,7 @@ fn candidates(label: &Label) -> Vec<Candidate> {
         let distance = (0.55 + 0.8 * f64::from(ring)) * size;
         for direction in 0..DIRECTIONS {
             let turn = f64::from(direction) / f64::from(DIRECTIONS) * TAU;
-            let along = towards.rotate(DVec2::from_angle(turn));
+            let along = towards.rotate(at_angle(turn));
             let middle = label.of + (distance + touching(half, along)) * along;
             let frame = Frame {
                 min: middle - half,
@@ -210,10 +211,10 @@ impl Obstacles {
             } => {
                 /// So many straight pieces are within a hundredth of its radius.
                 const PIECES: u32 = 24;
-                let rotation = DVec2::from_angle(turn.to_radians());
+                let rotation = at_angle(turn.to_radians());
                 let at = |piece: u32| {
                     let angle = f64::from(piece) / f64::from(PIECES) * TAU;
-                    *center + rotation.rotate(*radii * DVec2::from_angle(angle))
+                    *center + rotation.rotate(*radii * at_angle(angle))
                 };
                 for piece in 0..PIECES {
                     self.lines.add([at(piece), at(piece + 1)]);

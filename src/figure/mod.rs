@@ -31,6 +31,7 @@ mod slab_rows;
 mod spec;
 mod traced;
 mod tree;
+mod turn;
 mod view;
 mod visits;
 mod volume_outline;

@@ -9,6 +9,7 @@ use glam::{DVec2, DVec3};
 
 use crate::figure::look::Look;
 use crate::figure::sheet::{Form, Sheet};
+use crate::figure::turn::at_angle;
 use crate::figure::view::{Projection, Stage};
 use crate::geometry::{Cone, OrientedEllipsoid};
 use crate::scene::Shape;
@@ -107,10 +108,10 @@ impl Outline {
             yy += w.y * w.y;
         }
         let mean = f64::midpoint(xx, yy);
-        let apart = (0.5 * (xx - yy)).hypot(xy);
+        let apart = libm::hypot(0.5 * (xx - yy), xy);
         let [long, short] = [mean + apart, mean - apart].map(|of| of.max(0.0).sqrt());
-        let angle = 0.5 * (2.0 * xy).atan2(xx - yy);
-        let along = DVec2::from_angle(angle);
+        let angle = 0.5 * libm::atan2(2.0 * xy, xx - yy);
+        let along = at_angle(angle);
         Self {
             rim: Rim::Ellipse {
                 center: projection.of(center),
@@ -164,7 +165,7 @@ impl Outline {
             if radius == 0.0 {
                 return vec![projection.of(center)];
             }
-            let on_rim = |angle: f64| radius * (angle.cos() * one + angle.sin() * other);
+            let on_rim = |angle: f64| radius * (libm::cos(angle) * one + libm::sin(angle) * other);
             turns()
                 .map(|angle| projection.of(center + on_rim(angle)))
                 .collect()
@@ -198,7 +199,7 @@ fn turns() -> impl Iterator<Item = f64> {
 
 fn around(center: DVec2, [a, b]: [DVec2; 2]) -> Vec<DVec2> {
     turns()
-        .map(|angle| center + angle.cos() * a + angle.sin() * b)
+        .map(|angle| center + libm::cos(angle) * a + libm::sin(angle) * b)
         .collect()
 }
 
@@ -261,7 +262,7 @@ pub(super) fn rim(sheet: &mut Sheet, stage: &Stage, rim: &Rim, look: Look) {
             let center = stage.place_flat(*center);
             let radii = DVec2::new(axes[0].length(), axes[1].length()) * stage.scale;
             // up is the other way on the sheet
-            let turn = -axes[0].y.atan2(axes[0].x).to_degrees();
+            let turn = -libm::atan2(axes[0].y, axes[0].x).to_degrees();
             sheet.mark(
                 look,
                 Form::Ellipse {

@@ -8,6 +8,7 @@ use crate::figure::look::Look;
 use crate::figure::outline::{self, Outline, Rim};
 use crate::figure::sheet::Sheet;
 use crate::figure::spec::Layer;
+use crate::figure::turn::at_angle;
 use crate::figure::view::Stage;
 use crate::scene::{Object, Primitive, PrimitiveId, Scene};
 
@@ -212,7 +213,7 @@ pub(super) fn lights(figure: &Figure, sheet: &mut Sheet, stage: &Stage) {
         let (inner, outer) = (5.0 * sheet.unit(), 9.0 * sheet.unit());
         sheet.circle(Look::THIN.wide(1.5), at, inner);
         for eighth in 0..8 {
-            let along = DVec2::from_angle(f64::from(eighth) * std::f64::consts::FRAC_PI_4);
+            let along = at_angle(f64::from(eighth) * std::f64::consts::FRAC_PI_4);
             sheet.line(Look::THIN.wide(1.5), at + inner * along, at + outer * along);
         }
         let above = at - DVec2::new(0.0, outer);

@@ -210,7 +210,7 @@ impl Axis<'_> {
 /// The distance of ticks in t: 1, 2 or 5 of a power of ten, and at least so wide where 1 is `unit` wide.
 fn ticks(unit: f64, least: f64) -> f64 {
     let least = least / unit.max(f64::MIN_POSITIVE);
-    let power = 10f64.powf(least.log10().floor());
+    let power = libm::pow(10.0, libm::log10(least).floor());
     let step = [1.0, 2.0, 5.0].into_iter().find(|of| least <= of * power);
     step.unwrap_or(10.0) * power
 }

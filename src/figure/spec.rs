@@ -1,5 +1,6 @@
 //! What a lesson says about a figure: which scene, which pixel, which strategy, from where it is seen, what is shown.
 
+#[cfg(feature = "schema")]
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -8,7 +9,8 @@ use crate::structure::{StructureOptions, VolumeKind};
 use crate::trace::{LightOptions, StrategyName, Through, Transport};
 
 /// A figure of a lesson. The same name serves the command line, the book and the tests.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct FigureSpec {
     /// What is drawn.
@@ -82,9 +84,8 @@ pub struct FigureSpec {
 }
 
 /// What a figure draws.
-#[derive(
-    Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize, JsonSchema,
-)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 pub enum FigureKind {
     /// The pinhole camera: the box, the hole, the inverted image, and the window before the COP (Fig. 12-1).
@@ -138,9 +139,8 @@ pub enum FigureKind {
 }
 
 /// A part of a figure that can be shown or left out.
-#[derive(
-    Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize, JsonSchema,
-)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 pub enum Layer {
     /// The objects of the scene.
@@ -196,7 +196,8 @@ pub enum Layer {
 }
 
 /// A coordinate that is dropped.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 pub enum DroppedAxis {
     /// x.

@@ -1,6 +1,7 @@
 //! How a scene is seen in a figure: an orthographic projection, fitted into a frame.
 
 use glam::{DVec2, DVec3};
+#[cfg(feature = "schema")]
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -9,7 +10,8 @@ use crate::geometry::Ray;
 use crate::scene::Camera;
 
 /// From where a scene is seen. No view foreshortens by distance: equal lengths that are parallel stay equal.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 pub enum View {
     /// From above: x to the right, z downwards.
@@ -49,12 +51,10 @@ impl View {
             Self::Axonometric => {
                 // turned by 32° and seen from 24° above: no two of the axes cover each other, nor a cube's corners
                 let (turn, above) = (32f64.to_radians(), 24f64.to_radians());
-                let across = DVec3::new(turn.cos(), 0.0, -turn.sin());
-                let towards = DVec3::new(
-                    turn.sin() * above.cos(),
-                    above.sin(),
-                    turn.cos() * above.cos(),
-                );
+                let [turn_sin, turn_cos] = [libm::sin(turn), libm::cos(turn)];
+                let [above_sin, above_cos] = [libm::sin(above), libm::cos(above)];
+                let across = DVec3::new(turn_cos, 0.0, -turn_sin);
+                let towards = DVec3::new(turn_sin * above_cos, above_sin, turn_cos * above_cos);
                 Projection::new(across, towards.cross(across))
             }
         }

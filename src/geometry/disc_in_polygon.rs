@@ -37,8 +37,9 @@ pub fn disc_in_polygon(radius: f64, vertices: impl ExactSizeIterator<Item = DVec
 /// The signed part between the origin and one edge.
 fn along_edge(radius: f64, p: DVec2, q: DVec2) -> f64 {
     let inside = |from: DVec2, to: DVec2| 0.5 * from.perp_dot(to);
-    let outside =
-        |from: DVec2, to: DVec2| 0.5 * radius * radius * from.perp_dot(to).atan2(from.dot(to));
+    let outside = |from: DVec2, to: DVec2| {
+        0.5 * radius * radius * libm::atan2(from.perp_dot(to), from.dot(to))
+    };
     // |p + s·(q − p)|² = r²: where the edge is within the disc, s from enters to leaves
     let along = q - p;
     let a = along.length_squared();

@@ -1,6 +1,6 @@
 //! Every strategy on the same rays, one after the other.
 
-use std::time::Instant;
+use std::time::Duration;
 
 use crate::explain::{Compared, Comparison, Cost, CrowdedCell, strategies_to_compare};
 use crate::scene::Scene;
@@ -12,7 +12,8 @@ use crate::tracer::{LightPass, Stopped, Tracer, render, trace_pixel};
 /// Traces a pixel, or the whole picture, with every strategy, over the rays of these settings. Where the transport
 /// follows light, all its paths count, and [`check_light`](crate::tracer::check_light) must have been asked before.
 ///
-/// A pixel may take `max_rays` rays. `done` hears how many of the [`scan_lines_to_compare`] are finished.
+/// A pixel may take `max_rays` rays. `clock` says how much time has passed since any moment; one that stands still
+/// leaves the times at 0. `done` hears how many of the [`scan_lines_to_compare`] are finished.
 ///
 /// # Errors
 /// A pixel that takes more rays.
@@ -21,12 +22,13 @@ pub fn compare<'a>(
     settings: &Settings,
     pixel: Option<[u32; 2]>,
     max_rays: u64,
+    clock: impl Fn() -> Duration,
     done: impl Fn(u64) + Sync,
 ) -> Result<Comparison<'a>, Stopped> {
     let lines = scan_lines(scene, settings, pixel);
     let mut before = 0;
     let run = |settings: Settings| {
-        let cost = cost(scene, &settings, pixel, max_rays, |line| {
+        let cost = cost(scene, &settings, pixel, max_rays, &clock, |line| {
             done(before + line);
         })?;
         before += lines;
@@ -54,15 +56,16 @@ fn cost(
     settings: &Settings,
     pixel: Option<[u32; 2]>,
     max_rays: u64,
+    clock: &impl Fn() -> Duration,
     done: impl Fn(u64) + Sync,
 ) -> Result<Result<Cost, StructureError>, Stopped> {
-    let started = Instant::now();
+    let started = clock();
     let strategy = match Chosen::new(scene, settings.strategy, &settings.structure) {
         Ok(strategy) => strategy,
         Err(fault) => return Ok(Err(fault)),
     };
-    let building = started.elapsed();
-    let started = Instant::now();
+    let building = clock().saturating_sub(started);
+    let started = clock();
     let mut counts = Counts::default();
     let hear = |heard: Counts| counts.add(&heard);
     let light = LightPass::new(scene, &strategy, settings, None, hear, |_| {})?;
@@ -88,7 +91,7 @@ fn cost(
             .grid()
             .and_then(|grid| CrowdedCell::of(grid, scene.primitives.len())),
         building,
-        tracing: started.elapsed(),
+        tracing: clock().saturating_sub(started),
     }))
 }
 

@@ -1,6 +1,6 @@
 //! Every kind of ray tracing on the same scene, one after the other.
 
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use glam::DVec3;
 
@@ -28,7 +28,8 @@ pub enum NotCompared {
 /// Traces the picture with each of the five kinds of ray tracing: the light of the lamps alone, with no ambient light
 /// and no background, so that all five show the same.
 ///
-/// `scene` is without both: see [`light_of_lamps`]. A pixel may take `max_rays` rays. `done` hears how many of the
+/// `scene` is without both: see [`light_of_lamps`]. A pixel may take `max_rays` rays. `clock` says how much time has
+/// passed since any moment. `done` hears how many of the
 /// kinds are finished.
 ///
 /// # Errors
@@ -37,6 +38,7 @@ pub fn compare_transports<'a>(
     scene: &'a Scene,
     settings: &Settings,
     max_rays: u64,
+    clock: impl Fn() -> Duration,
     done: impl Fn(u64),
 ) -> Result<TransportComparison<'a>, NotCompared> {
     // every strategy finds the same; this one is quick
@@ -61,7 +63,9 @@ pub fn compare_transports<'a>(
             counts.add(&counted);
             rays.add(&useful);
         };
-        let (_, time) = picture(scene, strategy, &settings, max_rays, hear)?;
+        let started = clock();
+        picture(scene, strategy, &settings, max_rays, hear)?;
+        let time = clock().saturating_sub(started);
 
         let found = one_surface(scene, strategy, &settings, max_rays)?;
         compared.push(TransportCost {
@@ -84,15 +88,14 @@ pub fn light_of_lamps(mut scene: Scene) -> Scene {
     scene
 }
 
-/// The picture, and how long it took.
+/// The picture; `heard` is given what the recorders have heard.
 fn picture<S: Strategy, R: Recorder + Default + Send>(
     scene: &Scene,
     strategy: &S,
     settings: &Settings,
     max_rays: u64,
     mut heard: impl FnMut(R),
-) -> Result<(Picture, Duration), NotCompared> {
-    let started = Instant::now();
+) -> Result<Picture, NotCompared> {
     let transport = settings.transport;
     let stopped = |stopped| NotCompared::Stopped { transport, stopped };
     let light = LightPass::new(scene, strategy, settings, None, &mut heard, |_| {});
@@ -105,7 +108,7 @@ fn picture<S: Strategy, R: Recorder + Default + Send>(
     for recorder in of_lines {
         heard(recorder);
     }
-    Ok((picture, started.elapsed()))
+    Ok(picture)
 }
 
 /// The picture of light that meets only one surface between lamp and eye. With rays to the lamps it is the closed
@@ -120,8 +123,7 @@ fn one_surface<S: Strategy>(
     scene.max_depth = 1;
     let mut settings = settings.clone();
     settings.light.bounces = Some(1);
-    let (picture, _) = picture(&scene, strategy, &settings, max_rays, |_: Off| {})?;
-    Ok(picture)
+    picture(&scene, strategy, &settings, max_rays, |_: Off| {})
 }
 
 /// Each channel of each pixel.

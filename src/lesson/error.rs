@@ -49,7 +49,7 @@ impl fmt::Display for LessonError {
                 source: Some(source),
             } => write!(
                 f,
-                "{}: the lessons cannot be read: {source}\n  name their folder with --lessons",
+                "{}: the lessons cannot be read: {source}\n  name their folder",
                 printable(folder)
             ),
             Self::Folder {
@@ -58,7 +58,7 @@ impl fmt::Display for LessonError {
             } => write!(
                 f,
                 "{}: there is no lesson in this folder\n  a lesson is a folder with a lesson.json; name \
-                 the folder around them with --lessons",
+                 the folder around them",
                 printable(folder)
             ),
             Self::Load(error) => error.fmt(f),

@@ -2,15 +2,19 @@
 
 use std::collections::BTreeMap;
 
+#[cfg(feature = "schema")]
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
+#[cfg(feature = "schema")]
 use serde_json::Value;
 
 use crate::figure::FigureSpec;
+#[cfg(feature = "schema")]
 use crate::trace::generator;
 
 /// A whole lesson file.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct LessonFile {
     /// What the lesson is about.
@@ -21,6 +25,7 @@ pub struct LessonFile {
 }
 
 /// The JSON Schema (draft 2020-12) of a lesson file.
+#[cfg(feature = "schema")]
 pub fn lesson_schema() -> Value {
     let mut schema = generator().into_root_schema_for::<LessonFile>().to_value();
     schema["title"] = "raystep lesson".into();

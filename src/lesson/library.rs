@@ -1,14 +1,15 @@
 //! The lessons of a folder, and their figures by name: `12-grid/walk`.
 
 use std::fmt;
-use std::fs;
+use std::io;
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
+use std::sync::Arc;
 
 use crate::figure::{Drawn, FigureError, FigureSpec, Rendition, Traced, Width, draw};
 use crate::lesson::{LessonError, LessonFile, trace_figure};
 use crate::scene::{
-    Folder, LoadError, Loaded, Place, line_of, load_from, nearest_name, parse_json, read_file,
+    Files, LoadError, Loaded, Place, SchemaOf, line_of, load_bytes, nearest_name, parse_json,
     text_of,
 };
 
@@ -52,7 +53,7 @@ pub struct Lesson {
     /// The name of its folder.
     pub name: String,
     path: PathBuf,
-    folder: Folder,
+    folder: Arc<dyn Files>,
     /// Its file as it was given, and the text, to find the line of a mistake.
     file: String,
     text: String,
@@ -73,30 +74,20 @@ impl Library {
     ///
     /// # Errors
     /// A folder that cannot be read or has no lesson, or a lesson with a mistake.
-    pub fn open(folder: &Path) -> Result<Self, LessonError> {
-        Self::open_with(folder, false)
-    }
-
-    /// The same; the scenes of a lesson, and their meshes, may lie anywhere if that is allowed.
-    ///
-    /// # Errors
-    /// As [`Library::open`].
-    pub fn open_with(folder: &Path, allows_outside: bool) -> Result<Self, LessonError> {
+    pub fn open(folder: &dyn Files) -> Result<Self, LessonError> {
         let failed = |source| LessonError::Folder {
-            folder: folder.display().to_string(),
+            folder: folder.name(),
             source,
         };
+        let mut names = folder.folders().map_err(|source| failed(Some(source)))?;
+        names.sort();
         let mut lessons = Vec::new();
-        for entry in fs::read_dir(folder).map_err(|source| failed(Some(source)))? {
-            let path = entry.map_err(|source| failed(Some(source)))?.path();
-            if path.join("lesson.json").is_file() {
-                lessons.push(Lesson::read(&path, allows_outside)?);
-            }
+        for name in names {
+            lessons.extend(Lesson::read(folder, name)?);
         }
         if lessons.is_empty() {
             return Err(failed(None));
         }
-        lessons.sort_by(|a, b| a.name.cmp(&b.name));
         Ok(Self { lessons })
     }
 
@@ -148,30 +139,35 @@ impl Library {
 }
 
 impl Lesson {
-    fn read(folder: &Path, allows_outside: bool) -> Result<Self, LessonError> {
-        let path = folder.join("lesson.json");
+    /// The lesson of a folder among these; `None` if the folder has no `lesson.json`.
+    fn read(lessons: &dyn Files, name: String) -> Result<Option<Self>, LessonError> {
+        let inside = format!("{name}/lesson.json");
+        let Ok(path) = lessons.path_of(&inside) else {
+            return Ok(None);
+        };
         let file = path.display().to_string();
-        let bytes = read_file(&path, &file)?;
+        let bytes = match lessons.read(&path) {
+            Err(LoadError::Read { source, .. }) if source.kind() == io::ErrorKind::NotFound => {
+                return Ok(None);
+            }
+            read => read?,
+        };
         let text = text_of(&file, &bytes, "a lesson is written in JSON")?.to_owned();
-        let content: LessonFile = parse_json(&file, &text, "lesson")?;
-        let name = folder.file_name().unwrap_or_default();
+        let content: LessonFile = parse_json(&file, &text, SchemaOf::Lesson)?;
         let lesson = Self {
-            name: name.to_string_lossy().into_owned(),
-            folder: Folder::new(folder).allow_outside(allows_outside),
+            name,
+            folder: lessons.around(&path),
             path,
             file,
             text,
             content,
         };
         if let Some(wrong) = lesson.content.figures.keys().find(|name| !is_word(name)) {
-            let error = FigureError {
-                key: "",
-                what: format!("{wrong:?} is no name for a figure"),
-                fix: "take letters a-z, digits and -".into(),
-            };
+            let what = format!("{wrong:?} is no name for a figure");
+            let error = FigureError::new("", what, "use letters a-z, digits and -");
             return Err(lesson.wrong(wrong, error));
         }
-        Ok(lesson)
+        Ok(Some(lesson))
     }
 
     /// The lesson's file.
@@ -189,8 +185,11 @@ impl Lesson {
             place: self.place(format!("figures.{name}.scene")),
             name: spec.scene.clone(),
         })?;
-        let folder = Folder::of(&path).allow_outside(self.folder.allows_outside());
-        Ok(load_from(&path, &folder)?)
+        let bytes = self.folder.read(&path)?;
+        let folder = self.folder.around(&path);
+        let mut loaded = load_bytes(&path.display().to_string(), &bytes, &*folder)?;
+        loaded.files.push(path);
+        Ok(loaded)
     }
 
     /// Traces what a figure of this lesson is drawn from.
@@ -230,11 +229,7 @@ impl Lesson {
         let whole_name = self.whole_name(name);
         let mut of_others = traced.iter().filter_map(|of| of.settings.figure.as_ref());
         if let Some(other) = of_others.find(|other| **other != whole_name) {
-            let error = FigureError {
-                key: "",
-                what: format!("the log is that of the figure {other}"),
-                fix: format!("write its own: raystep figure {whole_name} --write-log F.jsonl"),
-            };
+            let error = FigureError::of_log(format!("the log is that of the figure {other}"));
             return Err(self.wrong(name, error));
         }
         draw(spec, traced, id, width, rendition).map_err(|error| self.wrong(name, error))

@@ -10,6 +10,8 @@ mod trace;
 pub use compare::{compare, scan_lines_to_compare};
 pub use compare_transports::{NotCompared, compare_transports, light_of_lamps};
 pub use error::LessonError;
-pub use file::{LessonFile, lesson_schema};
+pub use file::LessonFile;
+#[cfg(feature = "schema")]
+pub use file::lesson_schema;
 pub use library::{FigureName, Lesson, Library};
 pub use trace::trace_figure;

@@ -34,13 +34,7 @@ pub fn trace_figure(
     spec: &FigureSpec,
     wrong: impl Fn(FigureError) -> LessonError,
 ) -> Result<Vec<Traced>, LessonError> {
-    let error = |key, what: String, fix: &str| {
-        wrong(FigureError {
-            key,
-            what,
-            fix: fix.into(),
-        })
-    };
+    let error = |key, what: String, fix: &str| wrong(FigureError::new(key, what, fix));
     if let Some(size) = spec.size {
         loaded.scene.camera.pixels = size;
     }
@@ -152,11 +146,11 @@ fn record<S: Strategy>(
 
 /// A tree of rays that does not end, as a mistake in the figure.
 fn too_many_rays(stopped: &Stopped) -> FigureError {
-    FigureError {
-        key: "scene",
-        what: stopped.to_string(),
-        fix: "lower the scene's \"max_depth\", or its reflection and transmission".into(),
-    }
+    FigureError::new(
+        "scene",
+        stopped.to_string(),
+        "lower the scene's \"max_depth\", or its reflection and transmission",
+    )
 }
 
 /// Does this kind of figure draw paths of light?
@@ -193,8 +187,7 @@ fn check_paths(spec: &FigureSpec, pixels: [u32; 2]) -> Result<(), FigureError> {
     } else {
         return Ok(());
     };
-    let key = "paths";
-    Err(FigureError { key, what, fix })
+    Err(FigureError::new("paths", what, fix))
 }
 
 /// Why light cannot be followed, as a mistake in the figure.
@@ -210,11 +203,7 @@ fn no_light(fault: &LightError) -> FigureError {
         | LightError::TooManyCells { .. }
         | LightError::OutOfRange { .. } => "light",
     };
-    FigureError {
-        key,
-        what: fault.to_string(),
-        fix: fault.fix(),
-    }
+    FigureError::new(key, fault.to_string(), fault.fix())
 }
 
 /// The paths of light that a figure shows, in order.

@@ -86,7 +86,7 @@ impl Camera {
             return Err(Fault::UpAlongSight.at("camera.look_at.up"));
         }
 
-        let half_height = (0.5 * degrees).to_radians().tan();
+        let half_height = libm::tan((0.5 * degrees).to_radians());
         checked_positive(
             "camera.look_at.fov_degrees",
             "the window's height",

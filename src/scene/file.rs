@@ -4,9 +4,11 @@
 //! be named with its path and line. What is read here has the right form; whether it makes sense is
 //! asked by [`Scene::new`](crate::scene::Scene::new).
 
+#[cfg(feature = "schema")]
 use std::borrow::Cow;
 use std::fmt;
 
+#[cfg(feature = "schema")]
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::{Deserialize, Deserializer, MapAccess, Visitor};
 use serde::{Serialize, Serializer};
@@ -16,7 +18,8 @@ use crate::geometry::Sides;
 pub use crate::scene::faces::{Face, FaceList, Points};
 
 /// A whole scene.
-#[derive(Clone, Debug, PartialEq, Serialize, serde::Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, serde::Deserialize)]
+#[cfg_attr(feature = "schema", derive(JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct SceneFile {
     /// What the scene shows, for titles.
@@ -40,7 +43,7 @@ pub struct SceneFile {
     pub objects: Vec<ObjectFile>,
     /// The largest depth of a ray; an eye ray has depth 1.
     #[serde(default = "default_depth")]
-    #[schemars(range(min = 1, max = 100))]
+    #[cfg_attr(feature = "schema", schemars(range(min = 1, max = 100)))]
     pub max_depth: u32,
     /// The scene's own set of slabs for bounding volumes: their directions, [A, B, C] in space, or all
     /// [A, B] in the plane of x and y.
@@ -49,7 +52,7 @@ pub struct SceneFile {
         skip_serializing_if = "Option::is_none",
         deserialize_with = "given"
     )]
-    #[schemars(with = "Vec<Vec<f64>>")]
+    #[cfg_attr(feature = "schema", schemars(with = "Vec<Vec<f64>>"))]
     pub slabs: Option<Vec<Vec<f64>>>,
 }
 
@@ -59,9 +62,10 @@ fn default_depth() -> u32 {
 }
 
 /// The eye and the window: exactly one of `look_at` and `window`.
-#[derive(Clone, Debug, PartialEq, Serialize, serde::Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, serde::Deserialize)]
+#[cfg_attr(feature = "schema", derive(JsonSchema))]
 #[serde(deny_unknown_fields)]
-#[schemars(extend("oneOf" = [{"required": ["look_at"]}, {"required": ["window"]}]))]
+#[cfg_attr(feature = "schema", schemars(extend("oneOf" = [{"required": ["look_at"]}, {"required": ["window"]}])))]
 pub struct CameraFile {
     /// A window straight ahead.
     #[serde(
@@ -69,7 +73,7 @@ pub struct CameraFile {
         skip_serializing_if = "Option::is_none",
         deserialize_with = "given"
     )]
-    #[schemars(with = "LookAt")]
+    #[cfg_attr(feature = "schema", schemars(with = "LookAt"))]
     pub look_at: Option<LookAt>,
     /// An arbitrary window, as the slides have it.
     #[serde(
@@ -77,15 +81,16 @@ pub struct CameraFile {
         skip_serializing_if = "Option::is_none",
         deserialize_with = "given"
     )]
-    #[schemars(with = "Window")]
+    #[cfg_attr(feature = "schema", schemars(with = "Window"))]
     pub window: Option<Window>,
     /// Width and height of the picture in pixels.
-    #[schemars(inner(range(min = 1)))]
+    #[cfg_attr(feature = "schema", schemars(inner(range(min = 1))))]
     pub pixels: [u32; 2],
 }
 
 /// A window at distance 1 in front of the eye, across the line of sight.
-#[derive(Clone, Debug, PartialEq, Serialize, serde::Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, serde::Deserialize)]
+#[cfg_attr(feature = "schema", derive(JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct LookAt {
     /// The centre of projection: the eye.
@@ -95,12 +100,13 @@ pub struct LookAt {
     /// The direction that is up in the picture; need not be perpendicular to the line of sight.
     pub up: [f64; 3],
     /// The vertical angle that the window's full height spans.
-    #[schemars(extend("exclusiveMinimum" = 0, "exclusiveMaximum" = 180))]
+    #[cfg_attr(feature = "schema", schemars(extend("exclusiveMinimum" = 0, "exclusiveMaximum" = 180)))]
     pub fov_degrees: f64,
 }
 
 /// A window anywhere: off-axis and tilted if so wanted.
-#[derive(Clone, Debug, PartialEq, Serialize, serde::Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, serde::Deserialize)]
+#[cfg_attr(feature = "schema", derive(JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct Window {
     /// The centre of projection: the eye.
@@ -114,9 +120,10 @@ pub struct Window {
 }
 
 /// A point light: exactly one of `colour` and `power`.
-#[derive(Clone, Debug, PartialEq, Serialize, serde::Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, serde::Deserialize)]
+#[cfg_attr(feature = "schema", derive(JsonSchema))]
 #[serde(deny_unknown_fields)]
-#[schemars(extend("oneOf" = [{"required": ["colour"]}, {"required": ["power"]}]))]
+#[cfg_attr(feature = "schema", schemars(extend("oneOf" = [{"required": ["colour"]}, {"required": ["power"]}])))]
 pub struct LightFile {
     /// Its name in the log; `light-N` if absent.
     #[serde(default, skip_serializing_if = "String::is_empty")]
@@ -129,7 +136,7 @@ pub struct LightFile {
         skip_serializing_if = "Option::is_none",
         deserialize_with = "given"
     )]
-    #[schemars(with = "[f64; 3]", inner(range(min = 0)))]
+    #[cfg_attr(feature = "schema", schemars(with = "[f64; 3]", inner(range(min = 0))))]
     pub colour: Option<[f64; 3]>,
     /// Φ in watts, sent out alike in all directions.
     #[serde(
@@ -137,43 +144,44 @@ pub struct LightFile {
         skip_serializing_if = "Option::is_none",
         deserialize_with = "given"
     )]
-    #[schemars(with = "f64", extend("exclusiveMinimum" = 0))]
+    #[cfg_attr(feature = "schema", schemars(with = "f64", extend("exclusiveMinimum" = 0)))]
     pub power: Option<f64>,
 }
 
 /// What a surface does with light. Coefficients that are absent are 0, the index 1.
 #[doc(alias = "BRDF")]
 #[doc(alias = "BSDF")]
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, serde::Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, serde::Deserialize)]
+#[cfg_attr(feature = "schema", derive(JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct Material {
     /// The colour of ambient and diffuse light, 0 to 1 each.
-    #[schemars(inner(range(min = 0)))]
+    #[cfg_attr(feature = "schema", schemars(inner(range(min = 0))))]
     pub colour: [f64; 3],
     /// The weight of the diffuse term.
     #[serde(default)]
-    #[schemars(range(min = 0))]
+    #[cfg_attr(feature = "schema", schemars(range(min = 0)))]
     pub diffuse: f64,
     /// The weight of the specular term.
     #[serde(default)]
-    #[schemars(range(min = 0))]
+    #[cfg_attr(feature = "schema", schemars(range(min = 0)))]
     pub specular: f64,
     /// The exponent of the specular term.
     #[serde(default)]
-    #[schemars(range(min = 0))]
+    #[cfg_attr(feature = "schema", schemars(range(min = 0)))]
     pub shininess: f64,
     /// The weight of the reflected ray.
     #[serde(default)]
-    #[schemars(range(min = 0))]
+    #[cfg_attr(feature = "schema", schemars(range(min = 0)))]
     pub reflection: f64,
     /// The weight of the refracted ray; above 0 the object is not opaque.
     #[serde(default)]
-    #[schemars(range(min = 0))]
+    #[cfg_attr(feature = "schema", schemars(range(min = 0)))]
     pub transmission: f64,
     /// The index of refraction inside. Outside of every object it is 1; what lies in another object is
     /// not told apart.
     #[serde(default = "default_index")]
-    #[schemars(extend("exclusiveMinimum" = 0))]
+    #[cfg_attr(feature = "schema", schemars(extend("exclusiveMinimum" = 0)))]
     pub index: f64,
 }
 
@@ -183,11 +191,12 @@ fn default_index() -> f64 {
 }
 
 /// An object of the scene.
-#[derive(Clone, Debug, PartialEq, Serialize, serde::Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, serde::Deserialize)]
+#[cfg_attr(feature = "schema", derive(JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct ObjectFile {
     /// Its name in the log; no two objects share one.
-    #[schemars(length(min = 1))]
+    #[cfg_attr(feature = "schema", schemars(length(min = 1)))]
     pub name: SmolStr,
     /// The name of its material.
     pub material: SmolStr,
@@ -199,7 +208,8 @@ pub struct ObjectFile {
 }
 
 /// Which sides of a surface can be seen.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, serde::Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, serde::Deserialize)]
+#[cfg_attr(feature = "schema", derive(JsonSchema))]
 #[serde(rename_all = "lowercase")]
 pub enum SidesFile {
     /// Both.
@@ -242,7 +252,8 @@ impl From<Sides> for SidesFile {
 }
 
 /// The form of an object.
-#[derive(Clone, Debug, PartialEq, Serialize, serde::Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, serde::Deserialize)]
+#[cfg_attr(feature = "schema", derive(JsonSchema))]
 #[serde(rename_all = "lowercase", deny_unknown_fields)]
 pub enum ShapeFile {
     /// All points at one distance from a center.
@@ -250,7 +261,7 @@ pub enum ShapeFile {
         /// Its center.
         center: [f64; 3],
         /// Its radius.
-        #[schemars(extend("exclusiveMinimum" = 0))]
+        #[cfg_attr(feature = "schema", schemars(extend("exclusiveMinimum" = 0)))]
         radius: f64,
     },
     /// A sphere stretched along the axes.
@@ -258,7 +269,7 @@ pub enum ShapeFile {
         /// Its center.
         center: [f64; 3],
         /// Its radii along x, y and z.
-        #[schemars(extend("items" = {"type": "number", "exclusiveMinimum": 0}))]
+        #[cfg_attr(feature = "schema", schemars(extend("items" = {"type": "number", "exclusiveMinimum": 0})))]
         radii: [f64; 3],
     },
     /// A rectangular solid along the axes.
@@ -273,12 +284,12 @@ pub enum ShapeFile {
         /// The middle of the base circle.
         base: [f64; 3],
         /// The radius of the base circle.
-        #[schemars(range(min = 0))]
+        #[cfg_attr(feature = "schema", schemars(range(min = 0)))]
         base_radius: f64,
         /// The middle of the apex circle.
         apex: [f64; 3],
         /// The radius of the apex circle; 0 for a tip.
-        #[schemars(range(min = 0))]
+        #[cfg_attr(feature = "schema", schemars(range(min = 0)))]
         apex_radius: f64,
     },
     /// A planar polygon, convex or concave.
@@ -288,11 +299,12 @@ pub enum ShapeFile {
 }
 
 /// A planar polygon.
-#[derive(Clone, Debug, PartialEq, Serialize, serde::Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, serde::Deserialize)]
+#[cfg_attr(feature = "schema", derive(JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct PolygonFile {
     /// Its vertices, counter-clockwise from the front.
-    #[schemars(with = "Vec<[f64; 3]>", length(min = 3))]
+    #[cfg_attr(feature = "schema", schemars(with = "Vec<[f64; 3]>", length(min = 3)))]
     pub vertices: Points,
     /// One normal per vertex, for smooth shading.
     #[serde(
@@ -300,14 +312,15 @@ pub struct PolygonFile {
         skip_serializing_if = "Option::is_none",
         deserialize_with = "given"
     )]
-    #[schemars(with = "Vec<[f64; 3]>")]
+    #[cfg_attr(feature = "schema", schemars(with = "Vec<[f64; 3]>"))]
     pub normals: Option<Box<[[f64; 3]]>>,
 }
 
 /// A mesh: exactly one of `file` and `faces`.
-#[derive(Clone, Debug, PartialEq, Serialize, serde::Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, serde::Deserialize)]
+#[cfg_attr(feature = "schema", derive(JsonSchema))]
 #[serde(deny_unknown_fields)]
-#[schemars(extend("oneOf" = [{"required": ["file"]}, {"required": ["faces"]}]))]
+#[cfg_attr(feature = "schema", schemars(extend("oneOf" = [{"required": ["file"]}, {"required": ["faces"]}])))]
 pub struct MeshFile {
     /// A Wavefront OBJ file, relative to the scene file.
     #[serde(
@@ -315,7 +328,7 @@ pub struct MeshFile {
         skip_serializing_if = "Option::is_none",
         deserialize_with = "given"
     )]
-    #[schemars(with = "String")]
+    #[cfg_attr(feature = "schema", schemars(with = "String"))]
     pub file: Option<String>,
     /// The faces themselves.
     #[serde(
@@ -323,7 +336,7 @@ pub struct MeshFile {
         skip_serializing_if = "Option::is_none",
         deserialize_with = "given"
     )]
-    #[schemars(with = "Vec<PolygonFile>")]
+    #[cfg_attr(feature = "schema", schemars(with = "Vec<PolygonFile>"))]
     pub faces: Option<FaceList>,
 }
 
@@ -366,6 +379,7 @@ impl<'de> Deserialize<'de> for Materials {
     }
 }
 
+#[cfg(feature = "schema")]
 impl JsonSchema for Materials {
     fn schema_name() -> Cow<'static, str> {
         "Materials".into()

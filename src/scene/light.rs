@@ -77,7 +77,7 @@ impl Light {
         } else {
             match self.emission {
                 Emission::Colour(light) => {
-                    let highlight = r_dot_v.max(0.0).powf(material.shininess);
+                    let highlight = libm::pow(r_dot_v.max(0.0), material.shininess);
                     (
                         light * colour * (material.diffuse * n_dot_l),
                         light * (material.specular * highlight),

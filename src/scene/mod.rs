@@ -23,11 +23,11 @@ pub use fault::{DEEPEST, Fault, LARGEST, MOST_PIXELS, SMALLEST, SceneFault};
 pub use file::{Material, Materials, SceneFile};
 pub use light::{Emission, Light, PhongTerm};
 pub use load::{
-    Folder, LARGEST_FILE, LONGEST_LINE, LoadError, Loaded, Place, ReadEnd, load, load_bytes,
-    load_from, load_text, read_up_to,
+    Files, IsOutside, LARGEST_FILE, LONGEST_LINE, LoadError, Loaded, NoFiles, Place, ReadEnd,
+    SchemaOf, load_bytes, read_up_to,
 };
-pub(crate) use load::{gibibytes, line_of, parse_json, read_file, text_of};
+pub(crate) use load::{gibibytes, line_of, parse_json, text_of};
 pub use object::{Normals, Object, Primitive, PrimitiveId, Shape};
 pub use printable::printable;
-pub(crate) use printable::{quoted, shortened};
+pub(crate) use printable::quoted;
 pub use scene::{Scene, nearest_name};

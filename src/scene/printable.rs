@@ -16,14 +16,6 @@ pub fn printable(name: &str) -> String {
     text
 }
 
-/// The first `longest` characters of a text, and three dots if there are more.
-pub(crate) fn shortened(text: &str, longest: usize) -> String {
-    match text.char_indices().nth(longest) {
-        Some((end, _)) => format!("{}…", &text[..end]),
-        None => text.into(),
-    }
-}
-
 /// A word in quotation marks, with escapes for what a terminal would obey, and not too long.
 pub(crate) fn quoted(word: &str) -> String {
     /// Longer words are cut: a line of a message holds them.
@@ -58,7 +50,5 @@ mod tests {
     fn long_words_and_control_characters_are_not_printed() {
         assert_eq!(quoted("\u{1b}[2J"), "\"\\u{1b}[2J\"");
         assert_eq!(quoted(&"é".repeat(99)), format!("\"{}\"…", "é".repeat(40)));
-        assert_eq!(shortened("éé", 2), "éé");
-        assert_eq!(shortened("ééé", 2), "éé…");
     }
 }

@@ -88,11 +88,10 @@ impl BareGrid {
 
 #[cfg(test)]
 mod tests {
-    use std::path::Path;
 
     use super::*;
     use crate::geometry::TRange;
-    use crate::scene::load_bytes;
+    use crate::scene::{NoFiles, load_bytes};
     use crate::structure::{Grid, GridOptions};
 
     #[test]
@@ -100,7 +99,7 @@ mod tests {
         let json = r#"{"camera":{"look_at":{"cop":[9,1,1],"target":[0,1,1],"up":[0,1,0],"fov_degrees":40},
             "pixels":[2,2]},"materials":{"m":{"colour":[1,1,1]}},
             "objects":[{"name":"A","material":"m","shape":{"box":{"min":[0,0,0],"max":[4,2,2]}}}]}"#;
-        let loaded = load_bytes("scene.json", json.as_bytes(), Path::new("."));
+        let loaded = load_bytes("scene.json", json.as_bytes(), &NoFiles);
         let scene = loaded.unwrap().build().unwrap();
         let options = GridOptions {
             resolution: Some([4, 2, 2]),

@@ -8,12 +8,13 @@
 //! object so widened touches. The box is wider still, so that no object touches its outer planes.
 
 use glam::DVec3;
-use rayon::prelude::*;
+#[cfg(feature = "schema")]
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::geometry::{Ray, TRange};
-use crate::scene::{Primitive, PrimitiveId, Scene, Shape};
+use crate::parallel;
+use crate::scene::{PrimitiveId, Scene, Shape};
 use crate::structure::cell_lists::CellLists;
 use crate::structure::cell_overlap::CellOverlap;
 use crate::structure::cell_planes::CellPlanes;
@@ -22,9 +23,8 @@ use crate::structure::grid_resolution::resolution;
 use crate::structure::{GridError, GridWalk};
 
 /// By what an object is put into a cell's list.
-#[derive(
-    Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema, clap::ValueEnum,
-)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 pub enum Lists {
     /// The object itself reaches into the cell.
@@ -35,7 +35,8 @@ pub enum Lists {
 }
 
 /// How a grid is built.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(JsonSchema))]
 #[serde(default, deny_unknown_fields)]
 pub struct GridOptions {
     /// Cells along x, y and z; absent: by Woo's rule.
@@ -103,8 +104,9 @@ impl Grid {
     /// A density that is not above 0, a resolution of 0, or a grid that would take too much memory.
     pub fn new(scene: &Scene, options: &GridOptions) -> Result<Self, GridError> {
         let room = room(scene);
-        let of = |primitive: &Primitive| bounds_of(&primitive.shape, room);
-        let bounds: Vec<Bounds> = scene.primitives.par_iter().map(of).collect();
+        let bounds = parallel::map(scene.primitives.len(), |object| {
+            bounds_of(&scene.primitives[object].shape, room)
+        });
         let around = around(&bounds, room);
         let objects = bounds.len();
         let cells = match around {

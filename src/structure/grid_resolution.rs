@@ -55,7 +55,7 @@ fn woo(sides: DVec3, cells: f64) -> [f64; 3] {
     loop {
         let thick = || (0..3).filter(|&axis| !is_flat[axis]);
         let volume: f64 = thick().map(|axis| sides[axis]).product();
-        let per_length = (cells / volume).powf(1.0 / thick().count() as f64);
+        let per_length = libm::pow(cells / volume, 1.0 / thick().count() as f64);
         let thinnest = thick().min_by(|&a, &b| sides[a].total_cmp(&sides[b]));
         match thinnest {
             Some(axis) if sides[axis] * per_length < 1.0 => is_flat[axis] = true,

@@ -4,6 +4,7 @@
 //! leaves and internal nodes that bound their children". Which nodes there are is decided by one of the
 //! [`Build`]s; a parent's D_min and D_max come from its children's, from the bottom up, whatever built it.
 
+#[cfg(feature = "schema")]
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -13,9 +14,8 @@ use crate::structure::build::{bottom_up, insertion, surface_area};
 use crate::structure::{RaySlabs, SlabBound, SlabSet, room};
 
 /// How a hierarchy is built. All give the same hits at another cost.
-#[derive(
-    Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema, clap::ValueEnum,
-)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(JsonSchema))]
 #[doc(alias = "BVH construction")]
 #[doc(alias = "SAH")]
 #[serde(rename_all = "kebab-case")]

@@ -106,7 +106,7 @@ fn sphere_around_cone(cone: &Cone) -> Sphere {
     let at = even.clamp(0.0, height);
     Sphere {
         center: cone.base() + at * cone.axis(),
-        radius: at.hypot(base).max((height - at).hypot(apex)),
+        radius: libm::hypot(at, base).max(libm::hypot(height - at, apex)),
     }
 }
 
@@ -175,7 +175,7 @@ fn with_room(least: LeastEllipsoid, distance: f64) -> OrientedEllipsoid {
     let off = off_plane + distance;
     let thickness = (THICKNESS * radii.x).max(ROOM * off);
     let within = 1.0 + distance / radii.x.min(radii.y);
-    ellipsoid.radii = radii.with_z(thickness) * within.hypot(off / thickness);
+    ellipsoid.radii = radii.with_z(thickness) * libm::hypot(within, off / thickness);
     ellipsoid
 }
 

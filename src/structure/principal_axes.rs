@@ -28,8 +28,8 @@ pub(super) fn principal_axes(f: DMat3) -> ([DVec3; 3], DVec3) {
             // the rotation that makes the dot product 0: of its two angles the smaller
             let half_cotangent = (b.length_squared() - a.length_squared()) / (2.0 * dot);
             let tangent =
-                half_cotangent.signum() / (half_cotangent.abs() + half_cotangent.hypot(1.0));
-            let cosine = 1.0 / tangent.hypot(1.0);
+                half_cotangent.signum() / (half_cotangent.abs() + libm::hypot(half_cotangent, 1.0));
+            let cosine = 1.0 / libm::hypot(tangent, 1.0);
             let sine = cosine * tangent;
             columns[p] = cosine * a - sine * b;
             columns[q] = sine * a + cosine * b;

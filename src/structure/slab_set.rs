@@ -4,15 +4,15 @@
 //! D_max." So A, B and C are kept here once for all bounds.
 
 use glam::DVec3;
+#[cfg(feature = "schema")]
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::geometry::{MOST_SLABS, SlabSetError, slab_directions};
 
 /// Which set of slabs is taken?
-#[derive(
-    Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema, clap::ValueEnum,
-)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 pub enum SlabChoice {
     /// The three axes: a box.

@@ -6,6 +6,7 @@
 //! file names: a mesh has one volume around all its faces.
 
 use glam::DVec3;
+#[cfg(feature = "schema")]
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -15,9 +16,8 @@ use crate::structure::object_bounds::{ellipsoid_around, slabs_around, sphere_aro
 use crate::structure::{Inside, RaySlabs, SlabBound, SlabSet, range};
 
 /// Which volume is put around an object?
-#[derive(
-    Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema, clap::ValueEnum,
-)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 pub enum VolumeKind {
     /// The smallest sphere.

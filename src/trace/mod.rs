@@ -13,11 +13,15 @@ pub use event::{
     PixelSample, Purpose, QueueAction, QueueStep, RayEnd, RaySlab, RayStart, Shade, SlabTest,
     Stored, Verdict, Visibility, WalkEnd, Why, ZSort, geometry_term,
 };
-pub(crate) use log::{EventWriter, generator, write_event};
+#[cfg(feature = "schema")]
+pub(crate) use log::generator;
+pub(crate) use log::{EventWriter, write_event};
 pub use log::{
     LOG_VERSION, LightOptions, LineSink, LogError, LogNames, LogReader, Settings, StrategyName,
-    Through, Transport, begins_log, scene_schema, trace_schema, write_log_head,
+    Through, Transport, begins_log, write_log_head,
 };
+#[cfg(feature = "schema")]
+pub use log::{scene_schema, trace_schema};
 pub use record::{
     Budget, Counts, Filter, Item, Kinds, LightCount, Off, PathSieve, RayCount, RayNode, RayTree,
     Record, Recorder, Recording, Region, SearchCount, Sink, TestCount, UsefulRays,

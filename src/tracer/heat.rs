@@ -17,7 +17,7 @@ pub struct Heat {
 }
 
 /// What of it is shown?
-#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum HeatOf {
     /// How many object tests the pixel's rays took
     Tests,

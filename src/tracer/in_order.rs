@@ -12,6 +12,7 @@ use std::ops::{AddAssign, ControlFlow};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Condvar, Mutex, MutexGuard, PoisonError};
 
+use crate::parallel;
 use crate::tracer::Stopped;
 
 /// How many bytes a tile hands over at once: a thousand lines of a log, which a second-level cache holds.
@@ -111,28 +112,23 @@ impl<W: Write + Send, S: Default + AddAssign + Send> InOrder<W, S> {
         work: impl Fn(&mut Tile<'_, W, S>, &mut T) -> Result<S, Stopped> + Sync,
     ) -> Result<S, Ended> {
         let handed_out = AtomicUsize::new(0);
-        let threads = rayon::current_num_threads();
-        rayon::scope(|scope| {
-            for _ in 0..threads {
-                scope.spawn(|_| {
-                    let mut tools = tools();
-                    let mut lines = new_buffer();
-                    loop {
-                        let number = handed_out.fetch_add(1, Ordering::Relaxed);
-                        if tiles <= number || self.lock().ended.is_some() {
-                            return;
-                        }
-                        let mut tile = Tile {
-                            number,
-                            shared: &self,
-                            lines: &mut lines,
-                            count: 0,
-                            finished: false,
-                        };
-                        let left = work(&mut tile, &mut tools);
-                        tile.finish(left);
-                    }
-                });
+        parallel::on_each_thread(|| {
+            let mut tools = tools();
+            let mut lines = new_buffer();
+            loop {
+                let number = handed_out.fetch_add(1, Ordering::Relaxed);
+                if tiles <= number || self.lock().ended.is_some() {
+                    return;
+                }
+                let mut tile = Tile {
+                    number,
+                    shared: &self,
+                    lines: &mut lines,
+                    count: 0,
+                    finished: false,
+                };
+                let left = work(&mut tile, &mut tools);
+                tile.finish(left);
             }
         });
         let state = self.state.into_inner();
@@ -300,7 +296,7 @@ impl<W: Write, S: Default + AddAssign> Drop for Tile<'_, W, S> {
     }
 }
 
-#[cfg(test)]
+#[cfg(all(test, feature = "threads"))]
 mod tests {
     use super::*;
 
@@ -326,7 +322,6 @@ mod tests {
         out: impl Write + Send,
         budget: u64,
     ) -> Result<Vec<usize>, Ended> {
-        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads);
         let work = |tile: &mut Tile<'_, _, Order>, (): &mut ()| {
             let number = tile.number();
             for _ in number..40 {
@@ -345,7 +340,7 @@ mod tests {
         };
         let shared = InOrder::new(out, budget);
         let run = || shared.run(40, || (), work);
-        pool.build().unwrap().install(run).map(|order| order.0)
+        parallel::with_threads(threads, run).map(|order| order.0)
     }
 
     const LINES: usize = 40 * 41 / 2;
@@ -421,7 +416,6 @@ mod tests {
     /// The lowest tile waits until another one has handed over more than is kept.
     #[test]
     fn what_waits_for_the_lowest_tile_is_bounded() {
-        let pool = rayon::ThreadPoolBuilder::new().num_threads(2).build();
         let made = AtomicUsize::new(0);
         let shared: InOrder<_, Order> = InOrder::new(io::sink(), u64::MAX);
         let work = |tile: &mut Tile<'_, _, Order>, (): &mut ()| {
@@ -440,9 +434,7 @@ mod tests {
             }
             Ok(Order::default())
         };
-        pool.unwrap()
-            .install(|| shared.run(2, || (), work))
-            .unwrap();
+        parallel::with_threads(2, || shared.run(2, || (), work)).unwrap();
         assert_eq!(made.load(Ordering::SeqCst), 3 * KEPT);
     }
 }

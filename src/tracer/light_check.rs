@@ -1,7 +1,5 @@
 //! What a scene and its settings must be for light to be followed.
 
-use std::time::{Duration, Instant};
-
 use glam::DVec3;
 
 use crate::geometry::{Ray, Sides, TRange};
@@ -12,7 +10,7 @@ use crate::tracer::hybrid_stored::bytes_per_photon;
 use crate::tracer::illumination_map::BYTES_PER_CELL;
 use crate::tracer::light_path::Lamps;
 use crate::tracer::walk::{MOST_SURFACES, NoWatcher};
-use crate::tracer::{LightError, Tracer};
+use crate::tracer::{LightError, LightSetting, Tracer};
 
 /// The most paths of light: their numbers have 32 bits.
 const MOST_PATHS: u64 = u32::MAX as u64;
@@ -26,7 +24,7 @@ const MOST_CELLS: u32 = 4096;
 /// The most memory that all illumination maps together may take.
 const MOST_MAP_BYTES: f64 = 2.0 * 1024.0 * 1024.0 * 1024.0;
 
-/// How many paths are followed to find out whether they end, and what all of them would take.
+/// How many paths are followed to find out whether they end, and how much memory all of them would take.
 const PROBE: u32 = 64;
 
 /// Rounding of coefficients that are meant to add up to 1.
@@ -77,25 +75,33 @@ pub fn check_light<S: Strategy>(
 fn check_numbers(scene: &Scene, settings: &Settings) -> Result<(), LightError> {
     let options = &settings.light;
     if settings.light_paths(scene.camera.pixels) == 0 {
-        let option = option_of_paths(settings);
-        return Err(LightError::NoPaths { option });
+        let setting = setting_of_paths(settings);
+        return Err(LightError::NoPaths { setting });
     }
-    let within = |option, must, holds: bool| {
+    let within = |setting, must, holds: bool| {
         if holds {
             Ok(())
         } else {
-            Err(LightError::OutOfRange { option, must })
+            Err(LightError::OutOfRange { setting, must })
         }
     };
     // as large as any length of a scene: its square is still a number
     let holds = (0.0..=LARGEST).contains(&options.aperture.unwrap_or(0.0));
-    within("--aperture", "a radius of 0 or more, at most 1e50", holds)?;
+    within(
+        LightSetting::Aperture,
+        "a radius of 0 or more, at most 1e50",
+        holds,
+    )?;
     let holds = 1 <= options.bounces.unwrap_or(1);
-    within("--bounces", "a number of surfaces from 1 on", holds)?;
+    within(
+        LightSetting::Bounces,
+        "a number of surfaces from 1 on",
+        holds,
+    )?;
     let must = "at least 2: of k photons k - 1 count";
-    within("--nearest", must, 2 <= options.nearest)?;
+    within(LightSetting::Nearest, must, 2 <= options.nearest)?;
     let holds = (1..=MOST_CELLS).contains(&options.map.unwrap_or(1));
-    within("--map", "a number of cells from 1 to 4096", holds)?;
+    within(LightSetting::Map, "a number of cells from 1 to 4096", holds)?;
     options.map.map_or(Ok(()), |cells| check_maps(scene, cells))
 }
 
@@ -121,10 +127,10 @@ fn check_maps(scene: &Scene, cells: u32) -> Result<(), LightError> {
     })
 }
 
-fn option_of_paths(settings: &Settings) -> &'static str {
+fn setting_of_paths(settings: &Settings) -> LightSetting {
     match settings.transport {
-        Transport::HybridConnected => "--samples",
-        _ => "--paths",
+        Transport::HybridConnected => LightSetting::Samples,
+        _ => LightSetting::Paths,
     }
 }
 
@@ -180,7 +186,7 @@ fn is_inside_mesh(scene: &Scene, point: DVec3, object: &Object) -> bool {
     met.count() % 2 == 1
 }
 
-/// Follows some paths to find out whether they end, and what all of them would take.
+/// Follows some paths to find out whether they end, and how much memory all of them would take.
 fn check_amount<S: Strategy>(
     scene: &Scene,
     strategy: &S,
@@ -190,7 +196,6 @@ fn check_amount<S: Strategy>(
     let tracer = Tracer::new(scene, strategy, settings.transport);
     let lamps = Lamps::new(scene, settings);
     let mut counts = Counts::default();
-    let started = Instant::now();
     for path in 0..PROBE {
         let followed = tracer.follow_light(&lamps, path, &mut NoWatcher, &mut counts);
         if followed.is_break() {
@@ -202,8 +207,6 @@ fn check_amount<S: Strategy>(
         }
     }
     let share = paths as f64 / f64::from(PROBE);
-    let threads = rayon::current_num_threads() as f64;
-    let seconds = started.elapsed().as_secs_f64() * share / threads;
     let bytes = match settings.transport {
         Transport::HybridStored => {
             counts.of(Purpose::Light).hits as f64 * share * bytes_per_photon()
@@ -225,9 +228,7 @@ fn check_amount<S: Strategy>(
     };
     Err(LightError::TooMany {
         paths,
-        option: option_of_paths(settings),
-        // more than a duration can hold is as good as the most it can
-        time: Duration::try_from_secs_f64(seconds).unwrap_or(Duration::MAX),
+        setting: setting_of_paths(settings),
         bytes,
         most: most / for_each,
     })
@@ -247,7 +248,7 @@ fn left_out(scene: &Scene, settings: &Settings) -> Vec<String> {
     {
         notes.push(
             "the eye is a pinhole, of aperture 0: no photon can pass through a point, so none arrives and the \
-             picture is black; --aperture gives the eye a radius"
+             picture is black; an aperture gives the eye a radius"
                 .into(),
         );
     }

@@ -1,9 +1,42 @@
 //! Why light cannot be followed through a scene.
 
 use std::fmt;
-use std::time::Duration;
 
 use crate::scene::printable;
+
+/// A setting of the light that can be wrong. Its name is its key in a lesson or in the head of a log.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum LightSetting {
+    /// How many paths of light there are.
+    Paths,
+    /// How many paths there are for each pixel.
+    Samples,
+    /// The radius of the eye.
+    Aperture,
+    /// How many surfaces a path meets at most.
+    Bounces,
+    /// How many photons are gathered.
+    Nearest,
+    /// How many cells an illumination map has along its longer side.
+    Map,
+    /// Which kind of ray tracing.
+    Transport,
+}
+
+impl LightSetting {
+    /// Its name in files.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Paths => "paths",
+            Self::Samples => "samples",
+            Self::Aperture => "aperture",
+            Self::Bounces => "bounces",
+            Self::Nearest => "nearest",
+            Self::Map => "map",
+            Self::Transport => "transport",
+        }
+    }
+}
 
 /// Why light cannot be followed.
 #[derive(Clone, Debug, PartialEq)]
@@ -33,20 +66,18 @@ pub enum LightError {
     },
     /// No path is to be followed.
     NoPaths {
-        /// The option that says so.
-        option: &'static str,
+        /// The setting that says so.
+        setting: LightSetting,
     },
     /// More paths than there can be, or than there is memory for.
     TooMany {
         /// How many.
         paths: u64,
-        /// The option that says so.
-        option: &'static str,
-        /// How long they would take.
-        time: Duration,
+        /// The setting that says so.
+        setting: LightSetting,
         /// How much memory they would take; 0 where nothing is stored.
         bytes: f64,
-        /// How many there may be, by that option.
+        /// The most that this setting may ask for.
         most: u64,
     },
     /// Nothing absorbs the light, and none of it gets out: it would become more and more.
@@ -67,48 +98,41 @@ pub enum LightError {
     },
     /// A number out of its range.
     OutOfRange {
-        /// The option.
-        option: &'static str,
+        /// The setting.
+        setting: LightSetting,
         /// What it must be.
         must: &'static str,
     },
 }
 
-impl fmt::Display for LightError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+impl LightError {
+    /// What is wrong. `name` says how a setting is written where the message is read: as a key, or as an option.
+    pub fn what(&self, name: impl Fn(LightSetting) -> String) -> String {
         match self {
             Self::NoLights => {
-                f.write_str("the scene has no lights, and light is to be followed from them")
+                "the scene has no lights, and light is to be followed from them".into()
             }
-            Self::NoPower { number, light } => write!(
-                f,
+            Self::NoPower { number, light } => format!(
                 "lights[{number}], {light:?}, has a colour and no power: how much light it sends out is not known"
             ),
-            Self::Albedo { material, sum } => write!(
-                f,
+            Self::Albedo { material, sum } => format!(
                 "materials.{} would send on {sum} times what arrives: energy would grow at every surface",
                 printable(material)
             ),
-            Self::Inside { light, object } => write!(
-                f,
+            Self::Inside { light, object } => format!(
                 "the light {light:?} stands inside {object:?}, which is opaque and does not face inwards"
             ),
-            Self::NoPaths { option } => write!(f, "{option} 0: no light would be followed"),
-            Self::TooMany {
-                paths, time, bytes, ..
-            } => {
-                write!(
-                    f,
-                    "{paths} paths of light would take about {}",
-                    Estimate(*time)
-                )?;
-                if 0.0 < *bytes {
-                    write!(f, " and {} of memory", Bytes(*bytes))?;
-                }
-                Ok(())
+            Self::NoPaths { setting } => {
+                format!("{} 0: no light would be followed", name(*setting))
             }
-            Self::Endless { surfaces } => write!(
-                f,
+            Self::TooMany { paths, bytes, .. } if 0.0 < *bytes => format!(
+                "the photons of {paths} paths of light would take about {} of memory",
+                Bytes(*bytes)
+            ),
+            Self::TooMany { paths, .. } => {
+                format!("{paths} paths of light are too many: their numbers have 32 bits")
+            }
+            Self::Endless { surfaces } => format!(
                 "a path of light met {surfaces} surfaces and went on: hardly anything absorbs it, and it does not get out"
             ),
             Self::TooManyCells {
@@ -116,28 +140,39 @@ impl fmt::Display for LightError {
                 sides,
                 bytes,
                 ..
-            } => write!(
-                f,
+            } => format!(
                 "maps with {cells} cells along the longer side, on {sides} sides of flat faces, would take up to {} of \
                  memory",
                 Bytes(*bytes)
             ),
-            Self::OutOfRange { option, must } => write!(f, "{option} must be {must}"),
+            Self::OutOfRange { setting, must } => format!("{} must be {must}", name(*setting)),
         }
+    }
+}
+
+impl fmt::Display for LightError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.what(|setting| setting.name().into()))
     }
 }
 
 impl std::error::Error for LightError {}
 
 impl LightError {
-    /// What to do about it.
+    /// What to do about it, with the settings named as in files.
     pub fn fix(&self) -> String {
+        self.fix_with(|setting| setting.name().into())
+    }
+
+    /// What to do about it, with the settings named as the message's reader writes them.
+    pub fn fix_with(&self, name: impl Fn(LightSetting) -> String) -> String {
         match self {
             Self::NoLights => {
                 "give the scene a light, such as { \"position\": [0, 4, 0], \"power\": 100 }".into()
             }
             Self::NoPower { number, .. } => format!(
-                "replace lights[{number}].colour by \"power\", in watts, or take --transport hybrid-light"
+                "replace lights[{number}].colour by \"power\", in watts, or choose {} hybrid-light",
+                name(LightSetting::Transport)
             ),
             Self::Albedo { material, .. } => format!(
                 "lower diffuse, reflection or transmission of materials.{}, so that for each channel \
@@ -147,36 +182,22 @@ impl LightError {
             Self::Inside { object, .. } => format!(
                 "move the light, or give {object:?} \"sides\": \"back\" to show it from inside"
             ),
-            Self::NoPaths { option } => format!("give {option} a number of at least 1"),
-            Self::TooMany { option, most, .. } => {
-                format!("give {option} a number of at most {most}")
+            Self::NoPaths { setting } => format!("give {} a number of at least 1", name(*setting)),
+            Self::TooMany { setting, most, .. } => {
+                format!("give {} a number of at most {most}", name(*setting))
             }
-            Self::Endless { .. } => {
-                "lower the albedo of a material, or end the paths with --bounces, such as --bounces 20".into()
+            Self::Endless { .. } => format!(
+                "lower the albedo of a material, or end the paths with {0}, such as {0} 20",
+                name(LightSetting::Bounces)
+            ),
+            Self::TooManyCells { most, .. } => {
+                format!(
+                    "give {} a number of at most {most}",
+                    name(LightSetting::Map)
+                )
             }
-            Self::TooManyCells { most, .. } => format!("give --map a number of at most {most}"),
-            Self::OutOfRange { option, .. } => format!("change {option}"),
+            Self::OutOfRange { setting, .. } => format!("change {}", name(*setting)),
         }
-    }
-}
-
-/// A time, roughly.
-struct Estimate(Duration);
-
-impl fmt::Display for Estimate {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let seconds = self.0.as_secs_f64();
-        let units = [
-            (31_557_600.0, "years"),
-            (86_400.0, "days"),
-            (3_600.0, "hours"),
-            (60.0, "minutes"),
-        ];
-        let unit = units
-            .into_iter()
-            .find(|(length, _)| 2.0 * length <= seconds);
-        let (length, unit) = unit.unwrap_or((1.0, "seconds"));
-        write!(f, "{:.0} {unit}", seconds / length)
     }
 }
 

@@ -4,8 +4,8 @@ use std::collections::BTreeSet;
 use std::ops::ControlFlow;
 
 use glam::DVec3;
-use rayon::prelude::*;
 
+use crate::parallel;
 use crate::scene::Scene;
 use crate::strategy::Strategy;
 use crate::trace::{Event, LightOptions, Recorder, Region, Settings, Through, Transport};
@@ -98,9 +98,10 @@ impl LightPass {
         let pieces = lamps.paths.div_ceil(PIECE);
         for first in (0..pieces).step_by(PIECES as usize) {
             let last = (first + PIECES).min(pieces);
-            let together: Result<Vec<_>, Stopped> =
-                (first..last).into_par_iter().map(piece).collect();
-            for (left, recorder) in together? {
+            let together =
+                parallel::map((last - first) as usize, |place| piece(first + place as u64));
+            for traced in together {
+                let (left, recorder) = traced?;
                 for Seen {
                     path,
                     pixel,

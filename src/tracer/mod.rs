@@ -92,7 +92,7 @@ pub use epsilon::{EPSILON, start_epsilon};
 pub use heat::{Heat, HeatLine, HeatOf, heat_values};
 pub use hybrid_stored::{StoredLight, StoredPhoton};
 pub use light_check::check_light;
-pub use light_error::LightError;
+pub use light_error::{LightError, LightSetting};
 pub use light_pass::{LightPass, paths_behind};
 pub use log::{LogOptions, LogStopped, LoggedPaths, write_log};
 pub use picture::{Picture, render};

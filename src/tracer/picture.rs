@@ -3,8 +3,8 @@
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use glam::DVec3;
-use rayon::prelude::*;
 
+use crate::parallel;
 use crate::strategy::Strategy;
 use crate::trace::{Recorder, Through, Transport};
 use crate::tracer::pixel::mean;
@@ -86,9 +86,11 @@ pub fn render<S: Strategy, R: Recorder + Default + Send>(
         done(finished.fetch_add(1, Ordering::Relaxed) + 1);
         Some(line.map(|line| (line, recorder)))
     };
-    let traced: Vec<_> = (0..rows).into_par_iter().map(trace_row).collect();
     // a line is left out only below one that stopped
-    let traced: Result<Vec<_>, Stopped> = traced.into_iter().flatten().collect();
+    let traced: Result<Vec<_>, Stopped> = parallel::map(rows, trace_row)
+        .into_iter()
+        .flatten()
+        .collect();
     let (lines, recorders): (Vec<_>, Vec<_>) = traced?.into_iter().unzip();
 
     let colours = match through {

@@ -74,7 +74,7 @@ fn a_light_with_a_colour_does_not_say_how_much_it_sends_out() {
         refuses_with(r#""power": 100"#, r#""colour": [1, 1, 1]"#),
         str![[r#"
 error: scene.json: lights[0], "lamp", has a colour and no power: how much light it sends out is not known
-  replace lights[0].colour by "power", in watts, or take --transport hybrid-light
+  replace lights[0].colour by "power", in watts, or choose --transport hybrid-light
 
 "#]]
     );
@@ -150,7 +150,7 @@ fn a_pinhole_is_explained_not_hidden() {
     let folder = Folder::empty().with("scene.json", LAMP);
     let words = "render scene.json --transport forward --aperture 0 --paths 1000 -o x.png";
     let expected = "note: the eye is a pinhole, of aperture 0: no photon can pass through a point, so none arrives and \
-                    the picture is black; --aperture gives the eye a radius\n";
+                    the picture is black; an aperture gives the eye a radius\n";
     assert_eq!(folder.run(words).noted(), expected);
 }
 
@@ -188,7 +188,7 @@ fn too_many_paths_are_refused_with_what_they_would_take() {
     assert_data_eq!(
         refuses("--transport forward --paths 1000000000000"),
         str![[r#"
-error: scene.json: 1000000000000 paths of light would take about [..]
+error: scene.json: 1000000000000 paths of light are too many: their numbers have 32 bits
   give --paths a number of at most 4294967295
 
 "#]]
@@ -196,7 +196,7 @@ error: scene.json: 1000000000000 paths of light would take about [..]
     assert_data_eq!(
         refuses("--transport hybrid-stored --paths 1000000000000"),
         str![[r#"
-error: scene.json: 1000000000000 paths of light would take about [..] and [..] TB of memory
+error: scene.json: the photons of 1000000000000 paths of light would take about [..] TB of memory
   give --paths a number of at most [..]
 
 "#]]
@@ -205,7 +205,7 @@ error: scene.json: 1000000000000 paths of light would take about [..] and [..] T
     assert_data_eq!(
         refuses("--transport hybrid-connected --samples 4000000000"),
         str![[r#"
-error: scene.json: 192000000000 paths of light would take about [..]
+error: scene.json: 192000000000 paths of light are too many: their numbers have 32 bits
   give --samples a number of at most 89478485
 
 "#]]

@@ -64,7 +64,7 @@ fn an_unknown_key_is_told_with_those_that_exist() {
         refuses_with("\"shininess\": 40", "\"shinyness\": 40"),
         str![[r#"
 error: scene.json, line 11, at materials.red.shinyness: unknown key `shinyness`, expected one of `colour`, `diffuse`, `specular`, `shininess`, `reflection`, `transmission`, `index`
-  the command 'raystep schema scene' prints what a scene file may contain
+  compare it with the JSON Schema of a scene file: 'raystep schema scene' prints it
 
 "#]]
     );
@@ -76,7 +76,7 @@ fn a_key_that_is_missing_is_told() {
         refuses_with(SPHERE, r#"{ "sphere": { "center": [0, 1, 0] } }"#),
         str![[r#"
 error: scene.json, line 15, at objects[0].shape.sphere: missing key `radius`
-  the command 'raystep schema scene' prints what a scene file may contain
+  compare it with the JSON Schema of a scene file: 'raystep schema scene' prints it
 
 "#]]
     );
@@ -91,7 +91,7 @@ fn a_wrong_type_deep_in_an_object_is_told_by_file_line_and_path() {
         ),
         str![[r#"
 error: scene.json, line 15, at objects[0].shape.sphere.radius: invalid type: string "one", expected a number
-  the command 'raystep schema scene' prints what a scene file may contain
+  compare it with the JSON Schema of a scene file: 'raystep schema scene' prints it
 
 "#]]
     );
@@ -106,7 +106,7 @@ fn an_unknown_shape_is_told() {
         ),
         str![[r#"
 error: scene.json, line 15, at objects[0].shape: unknown name `spere`, expected one of `sphere`, `ellipsoid`, `box`, `cone`, `polygon`, `mesh`
-  the command 'raystep schema scene' prints what a scene file may contain
+  compare it with the JSON Schema of a scene file: 'raystep schema scene' prints it
 
 "#]]
     );
@@ -118,7 +118,7 @@ fn a_point_of_two_numbers_is_told() {
         refuses_with(SPHERE, r#"{ "sphere": { "center": [0, 1], "radius": 1 } }"#),
         str![[r#"
 error: scene.json, line 15, at objects[0].shape.sphere.center: invalid length 2, expected an array of length 3
-  the command 'raystep schema scene' prints what a scene file may contain
+  compare it with the JSON Schema of a scene file: 'raystep schema scene' prints it
 
 "#]]
     );

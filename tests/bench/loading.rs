@@ -24,7 +24,7 @@ use std::hint::black_box;
 use std::path::Path;
 use std::time::Instant;
 
-use raystep::{Loaded, load_bytes};
+use raystep::{Loaded, NoFiles, load_bytes};
 
 use crate::scenes::{mesh, spheres, text_of};
 
@@ -63,7 +63,7 @@ fn on_processor() -> Option<f64> {
 }
 
 fn read(name: &str, text: &str) -> Loaded {
-    load_bytes(name, black_box(text.as_bytes()), Path::new("")).expect("a valid file")
+    load_bytes(name, black_box(text.as_bytes()), &NoFiles).expect("a valid file")
 }
 
 /// The faces and the vertices that `tobj` finds.

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use raystep::explain::render;
 use raystep::{
-    BoundOutcome, Build, Chosen, Event, Kind, Loaded, Record, Recording, Scene, Settings,
+    BoundOutcome, Build, Chosen, Event, Kind, Loaded, NoFiles, Record, Recording, Scene, Settings,
     SlabChoice, StrategyName, StructureOptions, TRange, Through, Tracer, Transport, VolumeKind,
     WorkedOptions, load, load_bytes, trace_pixel, worked_solution,
 };
@@ -21,7 +21,7 @@ fn on_a_face() -> Scene {
         "materials": { "m": { "colour": [1, 1, 1], "diffuse": 1 } },
         "objects": [{ "name": "B", "material": "m", "shape": { "box": { "min": [9, 9, 9], "max": [10, 10, 10] } } }]
     });
-    let loaded = load_bytes("scene.json", scene.to_string().as_bytes(), Path::new(""));
+    let loaded = load_bytes("scene.json", scene.to_string().as_bytes(), &NoFiles);
     loaded.and_then(Loaded::build).unwrap()
 }
 

@@ -123,7 +123,7 @@ fn every_figure_of_the_course_is_listed_and_can_be_drawn_by_that_name() {
     let lessons = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("lessons");
     let words = format!("figures --list --lessons {}", lessons.display());
     let list = text(Folder::empty().run(&words).well());
-    let library = raystep::Library::open(&lessons).unwrap();
+    let library = raystep::open_lessons(&lessons).unwrap();
     let names: Vec<String> = library.figures().iter().map(ToString::to_string).collect();
     let listed: Vec<&str> = list
         .lines()

@@ -1,8 +1,8 @@
 //! Heat maps: what two pixels cost, counted by hand, and the colours that show it.
 
 use raystep::{
-    Build, DepthFirst, Exhaustive, HeatLine, HeatOf, Scene, SlabSet, Strategy, Through, Tracer,
-    Transport, heat_map, heat_values, load_bytes, render,
+    Build, DepthFirst, Exhaustive, HeatLine, HeatOf, NoFiles, Scene, SlabSet, Strategy, Through,
+    Tracer, Transport, heat_map, heat_values, load_bytes, render,
 };
 
 use crate::cli::run::Folder;
@@ -30,7 +30,7 @@ fn values<S: Strategy>(scene: &Scene, strategy: &S, of: HeatOf, through: Through
 
 #[test]
 fn the_pixels_of_one_ball_cost_what_is_counted_by_hand() {
-    let scene = load_bytes("s.json", ONE_BALL.as_bytes(), "".as_ref()).unwrap();
+    let scene = load_bytes("s.json", ONE_BALL.as_bytes(), &NoFiles).unwrap();
     let scene = scene.build().unwrap();
     let every = Exhaustive::new(&scene);
     let centres = Through::Centres;
@@ -53,7 +53,7 @@ fn through_the_corners_a_pixel_shows_the_mean_of_its_rays() {
         .replace("[-2.5, 0, -5]", "[0, 0, -5]")
         .replace("[-1, -0.5, -1]", "[-1, -0.05, -1]")
         .replace("\"up\": [0, 1, 0]", "\"up\": [0, 0.1, 0]");
-    let scene = load_bytes("s.json", moved.as_bytes(), "".as_ref()).unwrap();
+    let scene = load_bytes("s.json", moved.as_bytes(), &NoFiles).unwrap();
     let scene = scene.build().unwrap();
     let every = Exhaustive::new(&scene);
     // of the four rays of each pixel two cost 2 and two cost 1

@@ -4,12 +4,10 @@
 //! Two cases are excepted, as [`raystep::Strategy`] says, and no others: a hit within 4 ulp of the end of the range,
 //! and two hits within 1e−12 of each other.
 
-use std::path::Path;
-
 use glam::DVec3;
 use raystep::{
-    AxisBox, Cone, Ellipsoid, Exhaustive, Hit, Object, Off, Polygon, Primitive, PrimitiveId, Ray,
-    Scene, Shape, Sides, Sphere, Strategy, TRange, load_bytes,
+    AxisBox, Cone, Ellipsoid, Exhaustive, Hit, NoFiles, Object, Off, Polygon, Primitive,
+    PrimitiveId, Ray, Scene, Shape, Sides, Sphere, Strategy, TRange, load_bytes,
 };
 
 use super::{Question, asked, both_drivers};
@@ -70,7 +68,7 @@ pub(super) fn scene(shapes: Vec<(Shape, Sides)>) -> Scene {
       "slabs": [[1, 0, 0], [0, 1, 0], [0, 0, 1], [1, 1, 0], [0, 1, -1]],
       "objects": [ { "name": "A", "material": "m", "shape": { "sphere": { "center": [0, 0, 0], "radius": 1 } } } ]
     }"#;
-    let mut scene = load_bytes("hard.json", text, Path::new(""))
+    let mut scene = load_bytes("hard.json", text, &NoFiles)
         .unwrap()
         .build()
         .unwrap();

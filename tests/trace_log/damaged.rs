@@ -39,7 +39,7 @@ fn refused(bytes: &[u8], message: &str) {
     assert!(error == message, "found    {error}\nexpected {message}");
 }
 
-const REMEDY: &str = "\n  the log is damaged: make it again with 'raystep trace'";
+const REMEDY: &str = "\n  the log is damaged: make it again";
 
 /// The good log with a change in one line, counted from 1.
 #[track_caller]

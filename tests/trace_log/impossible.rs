@@ -52,7 +52,7 @@ fn check(good: &str, kind: &str, from: &str, to: &str, what: &str) {
     lines[at] = changed;
     let error = read(&lines.concat()).unwrap_err().to_string();
     let expected = format!(
-        "a.jsonl, line {}: {what}\n  the log is damaged: make it again with 'raystep trace'",
+        "a.jsonl, line {}: {what}\n  the log is damaged: make it again",
         at + 1
     );
     assert_eq!(error, expected);

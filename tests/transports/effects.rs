@@ -4,7 +4,7 @@
 //! comparable amounts of it, so that one stray photon does not pass for an effect. How well they agree is asked elsewhere.
 
 use raystep::{
-    Exhaustive, LightPass, Off, Scene, Settings, Through, Tracer, Transport, check_light,
+    Exhaustive, LightPass, NoFiles, Off, Scene, Settings, Through, Tracer, Transport, check_light,
     load_bytes, render,
 };
 
@@ -26,7 +26,7 @@ fn scene(floor: &str, sight: &str, lamp: &str) -> Scene {
                "shape": {{ "polygon": {{ "vertices": [[-4, 0, -4], [-4, 0, 4], [4, 0, 4], [4, 0, -4]] }} }} }}
         ] }}"#
     );
-    let loaded = load_bytes("scene.json", json.as_bytes(), "".as_ref()).unwrap();
+    let loaded = load_bytes("scene.json", json.as_bytes(), &NoFiles).unwrap();
     loaded.build().unwrap()
 }
 

@@ -1,10 +1,8 @@
 //! Light on its way, as one works it out by hand: a lamp above one floor.
 
-use std::path::Path;
-
 use raystep::{
-    Exhaustive, Kind, Kinds, LightPass, Off, Record, Recording, Region, Scene, Settings, Through,
-    Tracer, Transport, WorkedOptions, load_bytes, paths_behind, trace_pixel,
+    Exhaustive, Kind, Kinds, LightPass, NoFiles, Off, Record, Recording, Region, Scene, Settings,
+    Through, Tracer, Transport, WorkedOptions, load_bytes, paths_behind, trace_pixel,
 };
 
 use crate::worked_solution::worked_text;
@@ -47,7 +45,7 @@ pub(crate) const GLASS: &str = r#"{
 /// The scene of a JSON text.
 #[track_caller]
 pub(crate) fn built(text: &str) -> Scene {
-    let loaded = load_bytes("scene.json", text.as_bytes(), Path::new("")).unwrap();
+    let loaded = load_bytes("scene.json", text.as_bytes(), &NoFiles).unwrap();
     loaded.build().unwrap()
 }
 

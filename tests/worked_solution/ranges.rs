@@ -7,10 +7,9 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
 use raystep::{
-    Chosen, Emission, Event, Library, Light, LightPass, Line, Off, Page, Part, Purpose, Record,
-    Recording, Region, Scene, Section, Settings, Strategy, StrategyName, Through, Tone, Tracer,
-    Transport, WorkedOptions, load, paths_behind, strategies_to_compare, trace_pixel,
-    worked_solution,
+    Chosen, Emission, Event, Light, LightPass, Line, Off, Page, Part, Purpose, Record, Recording,
+    Region, Scene, Section, Settings, Strategy, StrategyName, Through, Tone, Tracer, Transport,
+    WorkedOptions, load, paths_behind, strategies_to_compare, trace_pixel, worked_solution,
 };
 
 /// A step by its section and its number: the building, then the paths by their numbers, then the pixel.
@@ -89,7 +88,7 @@ fn traced(scene: &Scene, settings: &Settings, pixel: [u32; 2]) -> Vec<Record> {
 /// The scenes of the lessons' figures, each with two pixels that its figures draw.
 fn scenes() -> Vec<(String, Scene, Vec<[u32; 2]>)> {
     let lessons = Path::new(env!("CARGO_MANIFEST_DIR")).join("lessons");
-    let library = Library::open(&lessons).unwrap();
+    let library = raystep::open_lessons(&lessons).unwrap();
     let mut pixels: BTreeMap<String, BTreeSet<[u32; 2]>> = BTreeMap::new();
     for name in library.figures() {
         let (lesson, spec) = library.find(&name).unwrap();

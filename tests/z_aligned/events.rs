@@ -1,11 +1,9 @@
 //! What the z-aligned search records, and what is told of it.
 
-use std::path::Path;
-
 use glam::DVec3;
 use raystep::{
-    Aligned, AlignedPart, AxisBox, Event, Hit, Kind, Off, PrimitiveId, Ray, Recording, Settings,
-    Shape, Sphere, Strategy, TRange, Through, Tracer, Transport, WorkedOptions, ZAligned,
+    Aligned, AlignedPart, AxisBox, Event, Hit, Kind, NoFiles, Off, PrimitiveId, Ray, Recording,
+    Settings, Shape, Sphere, Strategy, TRange, Through, Tracer, Transport, WorkedOptions, ZAligned,
     load_bytes, trace_pixel,
 };
 
@@ -164,7 +162,7 @@ const ALONG_3_4_5: &str = r#"{
 
 #[test]
 fn the_working_is_told_in_the_numbers_of_the_frame() {
-    let loaded = load_bytes("345.json", ALONG_3_4_5.as_bytes(), Path::new("")).unwrap();
+    let loaded = load_bytes("345.json", ALONG_3_4_5.as_bytes(), &NoFiles).unwrap();
     let scene = loaded.build().unwrap();
     let strategy = ZAligned::new(&scene);
     let tracer = Tracer::new(&scene, &strategy, Transport::HybridLight);

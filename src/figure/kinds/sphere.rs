@@ -17,6 +17,7 @@ use crate::figure::parabola;
 use crate::figure::scenery;
 use crate::figure::sheet::{Anchor, Sheet};
 use crate::figure::spec::Layer;
+use crate::figure::turn::at_angle;
 use crate::figure::view::Stage;
 use crate::geometry::{Fate, QuadraticTest, Ray, Root, Roots, Sphere};
 use crate::scene::{PrimitiveId, Shape};
@@ -209,7 +210,7 @@ fn radius(figure: &Figure, sheet: &mut Sheet, stage: &Stage, solved: &Solved, fo
         (_, Some((shade, _))) if figure.shows(Layer::Normals) => stage.place(shade.point) - center,
         (Roots::Graze(_), _) => -away,
         // to the side, so that the name of the center has room
-        _ => away.rotate(DVec2::from_angle(0.6)),
+        _ => away.rotate(at_angle(0.6)),
     };
     let to = center + length * towards.normalize_or_zero();
     sheet.line(Look::THIN, center, to);

@@ -127,9 +127,7 @@ fn angles(sheet: &mut Sheet, stage: &Stage, met: &Met) {
 
 /// In degrees: there sin θ₁ = n₂/n₁, and θ₂ is a right angle.
 fn critical_angle(refraction: &Refraction) -> f64 {
-    (refraction.index_to / refraction.index_from)
-        .asin()
-        .to_degrees()
+    libm::asin(refraction.index_to / refraction.index_from).to_degrees()
 }
 
 /// What the surface does to the ray, if it sends one on.

@@ -333,7 +333,7 @@ mod tests {
     use super::*;
     use crate::figure::sheet::Width;
     use crate::figure::volume_outline::around;
-    use crate::scene::load_bytes;
+    use crate::scene::{NoFiles, load_bytes};
     use crate::structure::SlabSet;
 
     /// A square prism of the side 2 and the height 4, upright.
@@ -341,8 +341,7 @@ mod tests {
         let json = r#"{"camera":{"look_at":{"cop":[0,0,9],"target":[0,0,0],"up":[0,1,0],"fov_degrees":40},
             "pixels":[2,2]},"materials":{"m":{"colour":[1,1,1]}},
             "objects":[{"name":"A","material":"m","shape":{"box":{"min":[-1,-2,-1],"max":[1,2,1]}}}]}"#;
-        let folder = std::path::Path::new(".");
-        let loaded = load_bytes("scene.json", json.as_bytes(), folder).unwrap();
+        let loaded = load_bytes("scene.json", json.as_bytes(), &NoFiles).unwrap();
         loaded.build().unwrap()
     }
 

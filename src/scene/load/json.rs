@@ -4,13 +4,11 @@ use serde::de::DeserializeOwned;
 
 use crate::scene::file::{SceneFile, ShapeFile};
 use crate::scene::load::locate::line_of;
-use crate::scene::load::{
-    Folder, Lines, LoadError, Loaded, Place, Source, obj, read_file, text_of,
-};
+use crate::scene::load::{Files, Lines, LoadError, Loaded, Place, SchemaOf, Source, obj, text_of};
 
-/// Reads a scene; `folder` is where its mesh files are looked for.
-pub(super) fn read_json(file: &str, text: &str, folder: &Folder) -> Result<Loaded, LoadError> {
-    let mut scene: SceneFile = parse_json(file, text, "scene")?;
+/// Reads a scene; its mesh files come from `folder`.
+pub(super) fn read_json(file: &str, text: &str, folder: &dyn Files) -> Result<Loaded, LoadError> {
+    let mut scene: SceneFile = parse_json(file, text, SchemaOf::Scene)?;
     let mut notes = Vec::new();
     let mut files = Vec::new();
     for (i, object) in scene.objects.iter_mut().enumerate() {
@@ -25,7 +23,8 @@ pub(super) fn read_json(file: &str, text: &str, folder: &Folder) -> Result<Loade
                 name: name.clone(),
             })?;
             let mesh_file = path.display().to_string();
-            let bytes = read_file(&path, &mesh_file)
+            let bytes = folder
+                .read(&path)
                 .map_err(|error| unreadable_mesh(place_in(file, text, &at), &mesh_file, &error))?;
             let mesh_text = text_of(&mesh_file, &bytes, "name an OBJ file")?;
             let faces = obj::read_obj(&mesh_file, mesh_text)?;
@@ -66,17 +65,18 @@ fn unreadable_mesh(place: Place, mesh: &str, error: &LoadError) -> LoadError {
         place,
         what: format!("the mesh file {mesh:?} cannot be read: {why}"),
         fix: "name an OBJ file; its folder is counted from that of the scene".into(),
+        schema: None,
     }
 }
 
-/// Reads a JSON file of a form that `raystep schema` knows by this name.
+/// Reads a JSON file of a form whose schema has this name.
 ///
 /// # Errors
 /// Anything that is not of this form, with its line and path.
 pub(crate) fn parse_json<T: DeserializeOwned>(
     file: &str,
     text: &str,
-    schema: &str,
+    schema: SchemaOf,
 ) -> Result<T, LoadError> {
     let mut json = serde_json::Deserializer::from_str(text);
     let value = serde_path_to_error::deserialize(&mut json).map_err(|error| {
@@ -89,7 +89,7 @@ pub(crate) fn parse_json<T: DeserializeOwned>(
 }
 
 /// What `serde_json` said, in the words of the file instead of the program's, without its place.
-fn form_error(file: &str, path: &str, error: &serde_json::Error, schema: &str) -> LoadError {
+fn form_error(file: &str, path: &str, error: &serde_json::Error, schema: SchemaOf) -> LoadError {
     let message = error.to_string();
     let end = message.rfind(" at line ").unwrap_or(message.len());
     let what = message[..end]
@@ -109,7 +109,10 @@ fn form_error(file: &str, path: &str, error: &serde_json::Error, schema: &str) -
         .replace("unknown field", "unknown key")
         .replace("missing field", "missing key");
     let fix = if error.is_data() {
-        format!("the command 'raystep schema {schema}' prints what a {schema} file may contain")
+        format!(
+            "compare it with the JSON Schema of a {} file",
+            schema.name()
+        )
     } else if what == "number out of range" {
         "give a number within ±1e50".into()
     } else {
@@ -122,6 +125,7 @@ fn form_error(file: &str, path: &str, error: &serde_json::Error, schema: &str) -
             path: path.into(),
         },
         what,
-        fix,
+        fix: fix.into(),
+        schema: error.is_data().then_some(schema),
     }
 }

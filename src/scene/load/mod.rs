@@ -1,7 +1,7 @@
 //! Reading scenes: JSON, NFF and OBJ, by the file's ending, or by its content from standard input.
 
 mod bounded;
-mod folder;
+mod files;
 mod json;
 mod locate;
 mod nff;
@@ -10,13 +10,12 @@ mod words;
 
 pub(crate) use bounded::gibibytes;
 pub use bounded::{LARGEST_FILE, LONGEST_LINE, ReadEnd, read_up_to};
-pub use folder::Folder;
+pub use files::{Files, IsOutside, NoFiles};
 pub(crate) use json::parse_json;
 pub(crate) use locate::line_of;
 
 use std::fmt;
-use std::fs::File;
-use std::io::{self, BufReader};
+use std::io;
 use std::path::{Path, PathBuf};
 
 use crate::scene::fault::Fault;
@@ -30,7 +29,7 @@ pub struct Loaded {
     pub scene: SceneFile,
     /// What was left out or mended while reading: to be told, not to be stopped by.
     pub notes: Vec<String>,
-    /// The files that were read for it: those of its meshes, and by [`load`] its own.
+    /// The files that were read for it: those of its meshes, and its own where it was read from a file.
     pub files: Vec<PathBuf>,
     /// Where each value stands.
     source: Source,
@@ -129,6 +128,25 @@ impl fmt::Display for Place {
     }
 }
 
+/// The files that have a JSON Schema.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum SchemaOf {
+    /// A scene in JSON.
+    Scene,
+    /// A lesson.
+    Lesson,
+}
+
+impl SchemaOf {
+    /// The word for it.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Scene => "scene",
+            Self::Lesson => "lesson",
+        }
+    }
+}
+
 /// Why a scene could not be loaded: what, where, and what to do about it.
 #[derive(Debug)]
 pub enum LoadError {
@@ -146,7 +164,9 @@ pub enum LoadError {
         /// What is wrong there.
         what: String,
         /// What to do about it.
-        fix: String,
+        fix: Box<str>,
+        /// The schema that lists what the file may contain, if the mistake is against it.
+        schema: Option<SchemaOf>,
     },
     /// A file is named that lies outside of the folder, which is not allowed.
     Outside {
@@ -175,7 +195,9 @@ impl fmt::Display for LoadError {
                 };
                 write!(f, "{}: cannot be read: {source}\n  {fix}", printable(file))
             }
-            Self::Form { place, what, fix } => {
+            Self::Form {
+                place, what, fix, ..
+            } => {
                 write!(f, "{place}: {}\n  {}", printable(what), printable(fix))
             }
             Self::Outside { place, name } => write!(
@@ -218,77 +240,17 @@ impl Format {
     }
 }
 
-/// Reads a scene file, and the mesh files of its folder that it names.
+/// Reads a scene in JSON, NFF or OBJ from memory. `file` is its name in messages, and its ending says the format; the
+/// mesh files that it names come from `files`.
 ///
 /// # Errors
-/// A file that cannot be read or has not the right form, with the line; a mesh file outside of the folder.
-pub fn load(path: &Path) -> Result<Loaded, LoadError> {
-    load_from(path, &Folder::of(path))
-}
-
-/// Reads a scene file; its mesh files are looked for in this folder.
-///
-/// # Errors
-/// As [`load`].
-pub fn load_from(path: &Path, folder: &Folder) -> Result<Loaded, LoadError> {
-    let file = path.display().to_string();
-    let bytes = read_file(path, &file)?;
-    let mut loaded = load_text(&file, &bytes, folder)?;
-    loaded.files.push(path.into());
-    Ok(loaded)
-}
-
-/// Reads a scene from memory; its mesh files are looked for in this folder, and not outside of it.
-///
-/// # Errors
-/// As [`load`].
-pub fn load_bytes(file: &str, bytes: &[u8], folder: &Path) -> Result<Loaded, LoadError> {
-    load_text(file, bytes, &Folder::new(folder))
-}
-
-/// Reads a scene from memory; its mesh files are looked for in this folder.
-///
-/// # Errors
-/// As [`load`].
-pub fn load_text(file: &str, bytes: &[u8], folder: &Folder) -> Result<Loaded, LoadError> {
+/// A text that has not the right form, with the line; a mesh file that cannot be read or lies outside of the folder.
+pub fn load_bytes(file: &str, bytes: &[u8], files: &dyn Files) -> Result<Loaded, LoadError> {
     let text = text_of(file, bytes, "give a scene in JSON, NFF or OBJ")?;
     match Format::of(file, text) {
-        Format::Json => json::read_json(file, text, folder),
+        Format::Json => json::read_json(file, text, files),
         Format::Nff => nff::read_nff(file, text),
         Format::Obj => obj::read_obj_scene(file, text),
-    }
-}
-
-/// Reads a file that ought to be text: up to its end, or to the first byte that no text has.
-///
-/// # Errors
-/// A file that cannot be read, or is larger than any scene.
-pub(crate) fn read_file(path: &Path, file: &str) -> Result<Vec<u8>, LoadError> {
-    /// How many bytes are read at once.
-    const AT_ONCE: usize = 1 << 16;
-    let unreadable = |source| LoadError::Read {
-        file: file.into(),
-        source,
-    };
-    let opened = File::open(path).map_err(unreadable)?;
-    let length = opened.metadata().map_or(0, |meta| meta.len());
-    let mut bytes = Vec::with_capacity(length.min(LARGEST_FILE) as usize);
-    let mut input = BufReader::with_capacity(AT_ONCE, opened);
-    match read_up_to(&mut input, 0, LARGEST_FILE, &mut bytes).map_err(unreadable)? {
-        ReadEnd::Limit => Err(too_large(file, "file", LARGEST_FILE)),
-        ReadEnd::Stop | ReadEnd::Zero | ReadEnd::Input => Ok(bytes),
-    }
-}
-
-/// The error that a file or a line of it is larger than any scene.
-fn too_large(file: &str, what: &str, limit: u64) -> LoadError {
-    LoadError::Form {
-        place: Place {
-            file: file.into(),
-            ..Place::default()
-        },
-        what: format!("this {what} has more than {}", gibibytes(limit)),
-        fix: "give a smaller scene".into(),
     }
 }
 
@@ -311,5 +273,6 @@ pub(crate) fn text_of<'a>(file: &str, bytes: &'a [u8], fix: &str) -> Result<&'a 
         },
         what: "this is not a text file".into(),
         fix: fix.into(),
+        schema: None,
     })
 }

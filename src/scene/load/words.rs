@@ -134,7 +134,7 @@ impl<'a> Words<'a> {
         &self,
         line: impl Into<Option<usize>>,
         what: impl Into<String>,
-        fix: impl Into<String>,
+        fix: impl Into<Box<str>>,
     ) -> LoadError {
         form_error(self.file, line, what, fix)
     }
@@ -198,7 +198,7 @@ pub(super) fn form_error(
     file: &str,
     line: impl Into<Option<usize>>,
     what: impl Into<String>,
-    fix: impl Into<String>,
+    fix: impl Into<Box<str>>,
 ) -> LoadError {
     LoadError::Form {
         place: Place {
@@ -208,6 +208,7 @@ pub(super) fn form_error(
         },
         what: what.into(),
         fix: fix.into(),
+        schema: None,
     }
 }
 

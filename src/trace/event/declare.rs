@@ -50,6 +50,7 @@ macro_rules! events {
             }
 
             /// What happened.
+            #[cfg(feature = "schema")]
             pub(in crate::trace) const fn meaning(self) -> &'static str {
                 match self { $(Self::$kind => concat!($($doc),+)),+ }
             }

@@ -80,7 +80,7 @@ impl fmt::Display for LogError {
                 }
                 write!(
                     f,
-                    ": {}\n  the log is damaged: make it again with 'raystep trace'",
+                    ": {}\n  the log is damaged: make it again",
                     printable(what)
                 )
             }

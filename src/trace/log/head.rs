@@ -13,7 +13,8 @@ use crate::trace::log::settings::Settings;
 pub const LOG_VERSION: u32 = 2;
 
 /// The first line: how the trace was made, and the scene but for its objects.
-#[derive(Clone, Debug, PartialEq, Serialize, serde::Deserialize, schemars::JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, serde::Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub(super) struct Header {
     /// `trace`.
@@ -43,7 +44,8 @@ pub(super) struct Header {
 }
 
 /// A line that describes an object, its mesh inlined.
-#[derive(Clone, Debug, PartialEq, Serialize, serde::Deserialize, schemars::JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, serde::Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub(super) struct ObjectLine {
     /// `object`.

@@ -1,5 +1,6 @@
 //! What the transports that follow light from the lamps depend on.
 
+#[cfg(feature = "schema")]
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -10,7 +11,8 @@ use crate::scene::Camera;
 const APERTURE: f64 = 1.0 / 20.0;
 
 /// How light is followed from the lamps. Each transport looks at some of these.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(JsonSchema))]
 #[serde(default, deny_unknown_fields)]
 pub struct LightOptions {
     /// Where chance begins: the same seed gives the same paths.

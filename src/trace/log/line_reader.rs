@@ -101,7 +101,7 @@ impl LineReader<'_> {
             return Ok(());
         }
         // something is left over: ask for the key that the kind does not have
-        let known = crate::trace::log::schema::keys_of(kind);
+        let known = crate::trace::log::event_schema::keys_of(kind);
         let extra = self
             .fields
             .keys()

@@ -4,6 +4,7 @@
 //! `EventWriter` is what a log is written with, and [`line_reader`] asks its scanner first.
 
 mod error;
+mod event_schema;
 mod fast;
 mod flat_json;
 mod head;
@@ -17,6 +18,7 @@ mod name_table;
 mod names;
 mod place;
 mod reader;
+#[cfg(feature = "schema")]
 mod schema;
 mod settings;
 
@@ -28,6 +30,8 @@ pub use line_sink::LineSink;
 pub(crate) use line_writer::write_event;
 pub use names::LogNames;
 pub use reader::{LogReader, begins_log};
+#[cfg(feature = "schema")]
 pub(crate) use schema::generator;
+#[cfg(feature = "schema")]
 pub use schema::{scene_schema, trace_schema};
 pub use settings::{Settings, StrategyName, Through, Transport};

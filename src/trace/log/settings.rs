@@ -1,5 +1,6 @@
 //! How a trace was made: what the log's header says beside the scene.
 
+#[cfg(feature = "schema")]
 use schemars::JsonSchema;
 use serde::ser::SerializeStruct;
 use serde::{Deserialize, Serialize, Serializer};
@@ -8,7 +9,8 @@ use crate::structure::StructureOptions;
 use crate::trace::{LightOptions, Region};
 
 /// The choices that a trace depends on.
-#[derive(Clone, Debug, PartialEq, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[cfg_attr(feature = "schema", derive(JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct Settings {
     /// Which objects each ray is tested against.
@@ -75,9 +77,8 @@ impl Settings {
 }
 
 /// Which objects a ray is tested against.
-#[derive(
-    Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema, clap::ValueEnum,
-)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 pub enum StrategyName {
     /// Every object, as in Fig. 15.56.
@@ -96,9 +97,8 @@ pub enum StrategyName {
 }
 
 /// Which kind of ray tracing, of the slides' five.
-#[derive(
-    Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema, clap::ValueEnum,
-)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 pub enum Transport {
     /// From the eye alone; no rays to lights, so no shadows.
@@ -144,9 +144,8 @@ impl Transport {
 }
 
 /// Where the eye rays pass a pixel.
-#[derive(
-    Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema, clap::ValueEnum,
-)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 pub enum Through {
     /// One ray through its centre.

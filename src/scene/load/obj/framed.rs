@@ -73,7 +73,7 @@ fn framed(faces: &FaceList) -> (CameraFile, LightFile) {
     let center = 0.5 * (low + high);
     let radius = 0.5 * (high - low).length();
     // the tangent from the eye makes a right angle with the radius: sin(fov/2) = radius/distance
-    let distance = radius / (0.5 * FOV_DEGREES).to_radians().sin();
+    let distance = radius / libm::sin((0.5 * FOV_DEGREES).to_radians());
     let slanted = DVec3::new(1.0, 0.8, 1.6).normalize();
     let cop = center + distance * slanted;
     let right = DVec3::Y.cross(slanted).normalize();

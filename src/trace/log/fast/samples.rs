@@ -1,11 +1,9 @@
 //! Records for the tests: of every kind, and with numbers of every length.
 
-use std::path::Path;
-
 use glam::DVec3;
 
 use crate::geometry::{EdgeTest, QuadraticTest, Root, Roots};
-use crate::scene::{Loaded, PrimitiveId, Scene, load_bytes};
+use crate::scene::{Loaded, NoFiles, PrimitiveId, Scene, load_bytes};
 use crate::trace::event::place::KindPlace;
 use crate::trace::{Event, Kind, PixelColour, Record};
 
@@ -22,7 +20,7 @@ pub(super) fn scene() -> Scene {
         { "name": "roof", "material": "red", "shape": { "mesh": { "faces": [
           { "vertices": [[-1, 2, 1], [1, 2, 1], [1, 2, -1]] } ] } } } ]
     }"#;
-    let loaded = load_bytes("scene.json", text.as_bytes(), Path::new(""));
+    let loaded = load_bytes("scene.json", text.as_bytes(), &NoFiles);
     loaded.and_then(Loaded::build).unwrap()
 }
 

@@ -4,7 +4,12 @@
 //! traces them read what they have no business with, and show a part of it in a message.
 
 use std::fs;
+use std::io;
 use std::path::{Component, Path, PathBuf};
+use std::sync::Arc;
+
+use crate::files::read_file;
+use crate::scene::{Files, IsOutside, LoadError};
 
 /// A folder, and whether names in its files may lead out of it.
 #[derive(Clone, Debug)]
@@ -12,10 +17,6 @@ pub struct Folder {
     path: PathBuf,
     allows_outside: bool,
 }
-
-/// A name leads out of the folder.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct IsOutside;
 
 impl Folder {
     /// A folder that no name leads out of; the empty path is the current folder.
@@ -39,15 +40,15 @@ impl Folder {
             ..self
         }
     }
+}
 
-    /// Whether names may lead out of it.
-    pub fn allows_outside(&self) -> bool {
-        self.allows_outside
+impl Files for Folder {
+    fn name(&self) -> String {
+        self.path.display().to_string()
     }
 
-    /// The path of a name that stands in a file of this folder. The place behind all links decides; of a file that is
-    /// not there its name.
-    pub(crate) fn path_of(&self, name: &str) -> Result<PathBuf, IsOutside> {
+    /// The place behind all links decides; of a file that is not there its name.
+    fn path_of(&self, name: &str) -> Result<PathBuf, IsOutside> {
         let path = self.path.join(name);
         let folder = if self.path == Path::new("") {
             Path::new(".")
@@ -60,6 +61,25 @@ impl Folder {
                 _ => stays_below(Path::new(name)),
             };
         is_inside.then_some(path).ok_or(IsOutside)
+    }
+
+    fn read(&self, path: &Path) -> Result<Vec<u8>, LoadError> {
+        read_file(path)
+    }
+
+    fn around(&self, path: &Path) -> Arc<dyn Files> {
+        Arc::new(Self::of(path).allow_outside(self.allows_outside))
+    }
+
+    fn folders(&self) -> io::Result<Vec<String>> {
+        let mut names = Vec::new();
+        for entry in fs::read_dir(&self.path)? {
+            let entry = entry?;
+            if entry.path().is_dir() {
+                names.push(entry.file_name().to_string_lossy().into_owned());
+            }
+        }
+        Ok(names)
     }
 }
 
