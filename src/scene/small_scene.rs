@@ -1,13 +1,11 @@
 //! Small scenes for unit tests.
 
-use std::path::Path;
-
-use crate::scene::{Scene, load_bytes};
+use crate::scene::{NoFiles, Scene, load_bytes};
 
 /// The scene of a JSON text.
 #[track_caller]
 pub(crate) fn scene_from(json: &str) -> Scene {
-    let loaded = load_bytes("scene.json", json.as_bytes(), Path::new("."));
+    let loaded = load_bytes("scene.json", json.as_bytes(), &NoFiles);
     loaded.unwrap().build().unwrap()
 }
 

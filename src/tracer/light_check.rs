@@ -416,25 +416,27 @@ mod tests {
     fn numbers_out_of_their_range_are_refused_and_those_at_its_ends_are_not() {
         let refused = |change: fn(&mut Settings)| match checked(WHITE, LAMP, &ball(), change) {
             Ok(_) => "",
-            Err(LightError::OutOfRange { option, .. } | LightError::NoPaths { option }) => option,
+            Err(LightError::OutOfRange { setting, .. } | LightError::NoPaths { setting }) => {
+                setting.name()
+            }
             Err(other) => panic!("{other:?}"),
         };
-        assert_eq!(refused(|of| of.light.paths = 0), "--paths");
+        assert_eq!(refused(|of| of.light.paths = 0), "paths");
         assert_eq!(refused(|of| of.light.paths = 1), "");
-        assert_eq!(refused(|of| of.light.aperture = Some(-0.1)), "--aperture");
+        assert_eq!(refused(|of| of.light.aperture = Some(-0.1)), "aperture");
         assert_eq!(refused(|of| of.light.aperture = Some(0.0)), "");
-        assert_eq!(refused(|of| of.light.bounces = Some(0)), "--bounces");
+        assert_eq!(refused(|of| of.light.bounces = Some(0)), "bounces");
         assert_eq!(refused(|of| of.light.bounces = Some(1)), "");
-        assert_eq!(refused(|of| of.light.nearest = 1), "--nearest");
+        assert_eq!(refused(|of| of.light.nearest = 1), "nearest");
         assert_eq!(refused(|of| of.light.nearest = 2), "");
-        assert_eq!(refused(|of| of.light.map = Some(0)), "--map");
-        assert_eq!(refused(|of| of.light.map = Some(4097)), "--map");
+        assert_eq!(refused(|of| of.light.map = Some(0)), "map");
+        assert_eq!(refused(|of| of.light.map = Some(4097)), "map");
         assert_eq!(refused(|of| of.light.map = Some(4096)), "");
         let no_samples = |of: &mut Settings| {
             of.transport = Transport::HybridConnected;
             of.light.samples = 0;
         };
-        assert_eq!(refused(no_samples), "--samples");
+        assert_eq!(refused(no_samples), "samples");
     }
 
     #[test]
@@ -480,14 +482,14 @@ mod tests {
         match of(1 << 32) {
             Err(LightError::TooMany {
                 paths,
-                option,
+                setting,
                 most,
                 bytes,
                 ..
             }) => {
                 assert_eq!(
-                    (paths, option, most),
-                    (1 << 32, "--paths", u64::from(u32::MAX))
+                    (paths, setting, most),
+                    (1 << 32, LightSetting::Paths, u64::from(u32::MAX))
                 );
                 assert_eq!(bytes, 0.0);
             }

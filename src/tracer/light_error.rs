@@ -218,18 +218,6 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_time_is_told_in_the_largest_unit_of_which_there_are_two() {
-        let told = |seconds: u64| Estimate(Duration::from_secs(seconds)).to_string();
-        assert_eq!(told(119), "119 seconds");
-        assert_eq!(told(120), "2 minutes");
-        assert_eq!(told(7_199), "120 minutes");
-        assert_eq!(told(7_200), "2 hours");
-        assert_eq!(told(2 * 86_400), "2 days");
-        assert_eq!(told(2 * 31_557_600), "2 years");
-        assert_eq!(told(0), "0 seconds");
-    }
-
-    #[test]
     fn an_amount_of_memory_is_told_in_the_largest_unit_of_which_there_is_one() {
         let told = |bytes: f64| Bytes(bytes).to_string();
         assert_eq!(told(4e5), "400 kB");
@@ -243,19 +231,23 @@ mod tests {
     fn memory_is_told_where_some_is_taken() {
         let error = |bytes| LightError::TooMany {
             paths: 5,
-            option: "--paths",
-            time: Duration::from_secs(60),
+            setting: LightSetting::Paths,
             bytes,
             most: 3,
         };
         assert_eq!(
             error(0.0).to_string(),
-            "5 paths of light would take about 60 seconds"
+            "5 paths of light are too many: their numbers have 32 bits"
         );
         assert_eq!(
             error(2e9).to_string(),
-            "5 paths of light would take about 60 seconds and 2 GB of memory"
+            "the photons of 5 paths of light would take about 2 GB of memory"
         );
-        assert_eq!(error(0.0).fix(), "give --paths a number of at most 3");
+        assert_eq!(error(0.0).fix(), "give paths a number of at most 3");
+        let option = |setting: LightSetting| format!("--{}", setting.name());
+        assert_eq!(
+            error(0.0).fix_with(option),
+            "give --paths a number of at most 3"
+        );
     }
 }
