@@ -240,13 +240,18 @@ mod tests {
     use crate::scene::small_scene::{polygon, scene_of, sphere};
     use crate::structure::extent::widened_extent;
 
+    const ROOM: f64 = 1e-12;
+
     /// Which of 4 × 4 × 4 cells with sides of 1 list a shape: i, j, k of each.
     fn cells_of(shape: &str, lists: Lists) -> Vec<[u32; 3]> {
         let cells = CellPlanes::new(DVec3::ZERO, DVec3::splat(4.0), [4; 3]);
-        let mut overlap = CellOverlap::new(&cells, lists, 1e-12);
+        let mut overlap = CellOverlap::new(&cells, lists, ROOM);
         let scene = scene_of(&[shape.to_string()]);
         let shape = &scene.primitives[0].shape;
-        let bounds = DVec3::AXES.map(|axis| widened_extent(shape, axis));
+        let bounds = DVec3::AXES.map(|axis| {
+            let [low, high] = widened_extent(shape, axis);
+            [low - ROOM, high + ROOM]
+        });
         let mut numbers = Vec::new();
         overlap.cells_of(shape, bounds, &mut |number| numbers.push(number));
         numbers.sort_unstable();
@@ -374,5 +379,66 @@ mod tests {
         assert_eq!(range(&clipped, 2, 0.25), Some([0.25, 1.75]));
         cut(&square, 0, 5.0, |x| 5.0 <= x, &mut left);
         assert_eq!(range(&left, 2, 0.25), None);
+    }
+
+    #[test]
+    fn an_object_is_listed_beyond_a_plane_that_it_misses_by_less_than_its_room() {
+        // 10⁻¹⁰ of its largest coordinate and what the grid adds: 3·10⁻¹⁰ of a ball around (2, 2, 2)
+        let ball = |gap: f64| count(&sphere([2.0; 3], 1.0 - gap));
+        assert_eq!([2e-10, 4e-10].map(ball), [32, 8]);
+        // a small ball by its own room, not by a share of its radius: 1.3·10⁻¹⁰ in the row above the plane x = 1
+        let small = |gap: f64| count(&sphere([1.1 + gap, 0.5, 0.5], 0.1));
+        assert_eq!([1e-10, 1.5e-10].map(small), [2, 1]);
+        // the tip of a cone below the plane z = 3, and above z = 1: 3.4·10⁻¹⁰ and 2.9·10⁻¹⁰
+        let cone = |base: f64, tip: f64| {
+            let text = format!(
+                r#"{{"cone":{{"base":[2.5,2.5,{base:?}],"base_radius":0.4,"apex":[2.5,2.5,{tip:?}],"apex_radius":0}}}}"#
+            );
+            let cells = cells_of(&text, Lists::Objects);
+            [cells[0][2], cells[cells.len() - 1][2]]
+        };
+        assert_eq!(
+            [2e-10, 5e-10].map(|gap| cone(2.5, 3.0 - gap)),
+            [[2, 3], [2, 2]]
+        );
+        assert_eq!(
+            [2e-10, 5e-10].map(|gap| cone(1.5, 1.0 + gap)),
+            [[0, 1], [1, 1]]
+        );
+        // a triangle above the plane z = 1, which reaches to 3.5
+        let flat = |gap: f64| {
+            let z = 1.0 + gap;
+            let triangle = polygon(&[[0.5, 0.5, z], [3.5, 0.5, z], [3.5, 0.75, z]]);
+            cells_of(&triangle, Lists::Objects)[0][2]
+        };
+        assert_eq!([2e-10, 5e-10].map(flat), [0, 1]);
+        // across x and y, 3.4·10⁻¹⁰ of the larger coordinate
+        let upright = |gap: f64| {
+            let (x, y) = (1.0 + gap, 2.0 - gap);
+            let triangle = polygon(&[[x, 1.5, 0.5], [x + 1.5, 1.5, 0.5], [x, y, 3.4]]);
+            let cells = cells_of(&triangle, Lists::Objects);
+            [0, 2].map(|row| {
+                cells
+                    .iter()
+                    .any(|cell| cell[if row == 0 { 0 } else { 1 }] == row)
+            })
+        };
+        assert_eq!([2e-10, 5e-10].map(upright), [[true, true], [false, false]]);
+    }
+
+    #[test]
+    fn a_bent_polygon_is_listed_as_far_as_it_is_thick() {
+        // a corner 4·10⁻⁶ higher: 64·10⁻⁶ thick
+        let bent = |gap: f64| {
+            let z = 1.0 + gap;
+            let corners = [
+                [0.5, 0.5, z],
+                [1.5, 0.5, z],
+                [1.5, 1.5, z + 4e-6],
+                [0.5, 1.5, z],
+            ];
+            cells_of(&polygon(&corners), Lists::Objects)[0][2]
+        };
+        assert_eq!([60e-6, 68e-6].map(bent), [0, 1]);
     }
 }

@@ -215,4 +215,32 @@ mod tests {
         assert_eq!(CellPlanes::most_along(-2.0, -1.0), 2.0_f64.powi(48));
         assert_eq!(CellPlanes::most_along(-1.0, 1.0), 2.0_f64.powi(50));
     }
+
+    #[test]
+    fn the_cells_touched_are_those_whose_planes_enclose_the_range_wherever_rounding_puts_the_planes()
+     {
+        // thirteen cells of a length that is no fraction of two: the planes are rounded, and a division lands beside them
+        let (min, max) = (DVec3::splat(0.1), DVec3::new(1e3, 1e6 + 0.3, 7.7));
+        let cells = CellPlanes::new(min, max, [13, 97, 51]);
+        for axis in 0..3 {
+            let planes = cells.axis(axis);
+            let last = planes.len() - 2;
+            // each plane, its neighbours among the numbers, and a point between it and the next
+            let mut places = vec![planes[0] - 1.0, planes[last + 1] + 1.0];
+            for pair in planes.windows(2) {
+                places.extend([pair[0].next_down(), pair[0], pair[0].next_up()]);
+                places.push(0.5 * (pair[0] + pair[1]));
+            }
+            for &low in &places {
+                for high in [low, low + 0.3 * (planes[1] - planes[0]), planes[last + 1]] {
+                    // a cell is touched if it ends at `low` or later, and begins at `high` or sooner
+                    let first = (0..last).find(|&i| low <= planes[i + 1]).unwrap_or(last);
+                    let end = (first..=last).rev().find(|&i| planes[i] <= high);
+                    let expected = [first as u32, end.unwrap_or(first) as u32];
+                    let found = cells.touched(axis, [low, high]);
+                    assert_eq!(found, expected, "{axis}: {low} {high}");
+                }
+            }
+        }
+    }
 }

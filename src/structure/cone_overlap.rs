@@ -152,4 +152,68 @@ mod tests {
         check([-5.0, -2.0, -5.0], [5.0, -0.1, 5.0], false);
         check([-0.1, 10.1, -0.1], [0.1, 12.0, 0.1], false);
     }
+
+    #[test]
+    fn the_closest_point_of_a_triangle_may_be_any_of_its_corners_and_on_any_of_its_edges() {
+        let closest = |corners: [[f64; 3]; 3]| closest_to_zero(corners.map(DVec3::from)).to_array();
+        // the corner (1, 1, 0) in each place
+        let corners = [[1.0, 1.0, 0.0], [5.0, 1.0, 0.0], [1.0, 5.0, 0.0]];
+        for turn in 0..3 {
+            let turned = [0, 1, 2].map(|i| corners[(i + turn) % 3]);
+            assert_eq!(closest(turned), [1.0, 1.0, 0.0], "{turn}");
+        }
+        // an edge along x = 1 from y = −1 to 3, whose point (1, 0, 0) is the closest, in each place and both ways
+        for third in [[5.0, 0.0, 0.0], [5.0, 9.0, 0.0]] {
+            let corners = [[1.0, -1.0, 0.0], [1.0, 3.0, 0.0], third];
+            for turn in 0..3 {
+                let turned = [0, 1, 2].map(|i| corners[(i + turn) % 3]);
+                assert_eq!(closest(turned), [1.0, 0.0, 0.0], "{turn}");
+                let mirrored = [turned[0], turned[2], turned[1]];
+                assert_eq!(closest(mirrored), [1.0, 0.0, 0.0], "{turn} mirrored");
+            }
+        }
+        // across the origin at a distance of 2: inside, in each order of the corners
+        let corners = [[-1.0, -1.0, 2.0], [3.0, -1.0, 2.0], [-1.0, 4.0, 2.0]];
+        for turn in 0..3 {
+            let turned = [0, 1, 2].map(|i| corners[(i + turn) % 3]);
+            let off = DVec3::from(closest(turned)) - DVec3::new(0.0, 0.0, 2.0);
+            assert!(off.length() <= 1e-15, "{turn} {off}");
+        }
+    }
+
+    #[test]
+    fn a_cone_along_z_touches_a_box_whose_closest_point_is_within_its_radius_there() {
+        /// Beyond this distance a plane between the two is found; closer, a box may be told to touch that does not.
+        const CLEAR: f64 = 0.25;
+        let cones = [(2.0, 2.0), (3.0, 0.0), (0.0, 3.0), (3.0, 1.5), (0.5, 2.5)];
+        let (mut touching, mut clear) = (0, 0);
+        for (base, apex) in cones {
+            let (at, low, high) = (DVec3::new(1.0, -2.0, 0.0), 1.0, 5.0);
+            let cone = Cone::new(at.with_z(low), base, at.with_z(high), apex).unwrap();
+            let radius = |z: f64| base + (apex - base) * (z - low) / (high - low);
+            for case in 0..1000_u32 {
+                // corners on a lattice of fifths, shifted so that no box touches the cone in a point alone
+                let number = |k: u32, range: u32| f64::from(case.wrapping_mul(k) / 7 % range);
+                let corner = |k: u32| {
+                    let place = DVec3::new(number(k, 37), number(k + 6, 41), number(k + 20, 43));
+                    0.2 * place + DVec3::new(-2.97, -5.93, -1.01)
+                };
+                let (a, b) = (corner(2_654_435), corner(1_013_904));
+                let (min, max) = (a.min(b), a.max(b) + 0.05);
+                // in the heights that both have, the cone is widest at one end
+                let (z_low, z_high) = (min.z.max(low), max.z.min(high));
+                let beside = (min - at).max(at - max).max(DVec3::ZERO);
+                let gap = beside.x.hypot(beside.y) - radius(z_low).max(radius(z_high));
+                let found = cone_touches(&cone, min, max);
+                if z_low <= z_high && gap <= 0.0 {
+                    touching += 1;
+                    assert!(found, "{base} {apex} {min} {max}");
+                } else if CLEAR < gap.max(z_low - z_high) {
+                    clear += 1;
+                    assert!(!found, "{base} {apex} {min} {max}");
+                }
+            }
+        }
+        assert!(500 < touching && 500 < clear, "{touching} {clear}");
+    }
 }

@@ -143,4 +143,36 @@ mod tests {
         assert_eq!(refused(of([1, 4096, 1])), Ok([1, 4096, 1]));
         assert!(refused(with(1e300)).is_err());
     }
+
+    #[test]
+    fn a_box_beside_the_origin_has_as_many_cells_as_one_in_it() {
+        let options = GridOptions {
+            density: 1.0,
+            ..GridOptions::default()
+        };
+        let min = DVec3::new(100.0, -50.0, 3.0);
+        let found = resolution(min, min + DVec3::new(4.0, 1.0, 1.0), 4000, &options);
+        assert_eq!(found, Ok([40, 10, 10]));
+    }
+
+    #[test]
+    fn as_many_cells_as_there_may_be_are_allowed_and_one_more_along_a_thin_side_is_not() {
+        let of = |min: f64, max: f64, resolution: [u32; 3]| {
+            let options = GridOptions {
+                resolution: Some(resolution),
+                ..GridOptions::default()
+            };
+            super::resolution(DVec3::splat(min), DVec3::splat(max), 10, &options)
+        };
+        // 2¹² · 2¹² · 2² = 64·2²⁰
+        assert_eq!(of(0.0, 1.0, [4096, 4096, 4]), Ok([4096, 4096, 4]));
+        assert!(of(0.0, 1.0, [4096, 4096, 5]).is_err());
+        // a length of 2⁻⁴⁰ beside 1: cells are 8ε of the larger coordinate, which is 2⁻⁴⁹ and a little more
+        let max = 1.0 + 0.5_f64.powi(40);
+        let most = (0.5_f64.powi(40) / (8.0 * f64::EPSILON * max)).floor() as u32;
+        assert_eq!(most, 511);
+        assert_eq!(of(1.0, max, [1, 511, 1]), Ok([1, 511, 1]));
+        let thin = GridError::TooThin { axis: 1, most: 511 };
+        assert_eq!(of(1.0, max, [1, 512, 1]), Err(thin));
+    }
 }

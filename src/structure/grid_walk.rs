@@ -303,4 +303,16 @@ mod tests {
         // at z = 0.5 + 10⁻³¹⁰·x nothing changes
         check([0.0, 0.5, 0.5], [1.0, 1e-310, 0.0], &row(0, 0));
     }
+
+    #[test]
+    fn the_cell_that_comes_next_is_known_before_the_step() {
+        let ray = Ray::new(DVec3::new(-1.0, 2.5, 0.5), DVec3::X);
+        let cells = unit_cells();
+        let mut walk = GridWalk::new(&cells, &ray, TRange::FORWARD);
+        for i in 0..4 {
+            assert_eq!(walk.cell(), Some([i, 2, 0]));
+            assert!(walk.next().is_some());
+        }
+        assert_eq!(walk.cell(), None);
+    }
 }

@@ -365,21 +365,75 @@ mod tests {
     }
 
     #[test]
-    fn a_point_that_no_direction_of_the_cube_finds_is_found_outside() {
-        // four circles of 12 points on an axis, made long along (2, 1, 0): all but one of the 26 find points near its tips
+    fn a_cylinder_of_points_has_the_ellipsoid_of_its_rims_however_long_it_is() {
+        // circles of 12 points on an axis, made long along (2, 1, 0): of 24 points all take part, of 48 the outermost
         let (along, across) = (DVec3::new(2.0, 1.0, 0.0), DVec3::new(-1.0, 2.0, 0.0));
-        let mut points = Vec::new();
-        for z in [1.0, 3.0, 5.0, 7.0] {
-            for (x, y) in [(5.0, 0.0), (4.0, 3.0), (3.0, 4.0)] {
-                for (x, y) in [(x, y), (-y, x), (-x, -y), (y, -x)] {
-                    points.push(20.0 * x * along + y * across + z * DVec3::Z);
+        for heights in [&[1.0, 7.0][..], &[1.0, 3.0, 5.0, 7.0]] {
+            let mut points = Vec::new();
+            for z in heights {
+                for (x, y) in [(5.0, 0.0), (4.0, 3.0), (3.0, 4.0)] {
+                    for (x, y) in [(x, y), (-y, x), (-x, -y), (y, -x)] {
+                        points.push(20.0 * x * along + y * across + *z * DVec3::Z);
+                    }
                 }
             }
+            // radius 5, height 6: 5·√1.5 across, which is √5 and 20·√5 times as long here, and 6·√¾ along
+            let across = 5.0 * 7.5_f64.sqrt();
+            let radii = [3.0 * 3.0_f64.sqrt(), across, 20.0 * across];
+            check(&points, [0.0, 0.0, 4.0], radii);
         }
-        // of a cylinder of radius 5 and height 6: 5·√1.5 across, which is √5 and 20·√5 times as long here, and 6·√¾ along
-        let across = 5.0 * 7.5_f64.sqrt();
-        let radii = [3.0 * 3.0_f64.sqrt(), across, 20.0 * across];
-        check(&points, [0.0, 0.0, 4.0], radii);
+    }
+
+    /// Points of a circle of radius 5 around (7, 1), in the directions from 0° and 180° and halfway between the axes and the
+    /// diagonals; on these, just within, points that a search along axes and diagonals finds in their place; and as many more.
+    fn circle_with_decoys(more: usize) -> Vec<DVec3> {
+        let at = |eighths: f64, radius: f64| {
+            let (sine, cosine) = (eighths * std::f64::consts::FRAC_PI_4).sin_cos();
+            DVec3::new(7.0 + radius * cosine, 1.0 + radius * sine, 3.0)
+        };
+        let mut points = vec![at(0.0, 5.0), at(4.0, 5.0)];
+        points.extend((0..8).map(|i| at(f64::from(i) + 0.5, 5.0)));
+        points.extend([1.0, 2.0, 3.0, 5.0, 6.0, 7.0].map(|eighths| at(eighths, 4.85)));
+        points.extend((0..more).map(|i| at(0.7 * i as f64, 2.0)));
+        points
+    }
+
+    #[test]
+    fn a_point_that_no_direction_of_the_cube_finds_is_found_outside() {
+        for more in [0, 30] {
+            check(&circle_with_decoys(more), [7.0, 1.0, 3.0], [0.0, 5.0, 5.0]);
+        }
+    }
+
+    #[test]
+    fn no_point_lies_outside_and_the_outermost_on_the_surface() {
+        let mut box_and_more = corners([1.0, 2.0, 3.0], [3.0, 6.0, 9.0]);
+        box_and_more.push(DVec3::new(3.9, 4.1, 6.3));
+        for points in [box_and_more, circle_with_decoys(30)] {
+            let ellipsoid = least_ellipsoid(&points, false).unwrap().ellipsoid;
+            let thick = OrientedEllipsoid {
+                radii: ellipsoid.radii.max(DVec3::splat(1e-3)),
+                ..ellipsoid
+            };
+            let levels = points.iter().map(|&p| thick.level(p));
+            let largest = levels.fold(0.0, f64::max);
+            assert!((largest - 1.0).abs() <= 1e-14, "{largest}");
+        }
+    }
+
+    #[test]
+    fn in_its_frame_points_fill_the_box_from_minus_1_to_1() {
+        let mut points = corners([1.0, 2.0, 3.0], [3.0, 6.0, 9.0]);
+        points.push(DVec3::new(3.9, 4.1, 6.3));
+        let frame = Frame::of(&points).unwrap();
+        let (mut low, mut high) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
+        for &point in &points {
+            low = low.min(frame.normed(point, false));
+            high = high.max(frame.normed(point, false));
+        }
+        assert!((low + 1.0).abs().max_element() <= 1e-14, "{low}");
+        assert!((high - 1.0).abs().max_element() <= 1e-14, "{high}");
+        assert_eq!(frame.normed(points[0], true).z, 0.0);
     }
 
     #[test]

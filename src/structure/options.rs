@@ -49,3 +49,24 @@ impl fmt::Display for StructureError {
 }
 
 impl std::error::Error for StructureError {}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_error_says_what_to_give_instead() {
+        let text = StructureError::NoSlabs.to_string();
+        assert!(
+            text.contains("no \"slabs\"") && text.contains("add a list"),
+            "{text}"
+        );
+        let text = StructureError::Slabs(SlabSetError::Unbounded { independent: 2 }).to_string();
+        assert_eq!(text.lines().count(), 2, "{text}");
+        let density = GridError::Density { density: 0.0 };
+        assert_eq!(
+            StructureError::Grid(density).to_string(),
+            density.to_string()
+        );
+    }
+}

@@ -155,7 +155,7 @@ mod tests {
         }
     }
 
-    /// A lattice of 9 × 7 × 5 points, slightly askew so that no two distances from the origin are equal.
+    /// A lattice of 9 × 7 × 5 points in no order, slightly askew so that no two distances from the origin are equal.
     fn lattice() -> Vec<DVec3> {
         let mut points = Vec::new();
         for x in 0..9 {
@@ -166,7 +166,10 @@ mod tests {
                 }
             }
         }
-        points
+        // 101 and 315 have no common factor
+        (0..points.len())
+            .map(|i| points[i * 101 % points.len()])
+            .collect()
     }
 
     #[test]
@@ -216,5 +219,29 @@ mod tests {
         let found = tree.nearest(DVec3::ZERO, 30, |_| true);
         assert_eq!(found.len(), 20);
         assert!(found.iter().all(|n| n.distance_squared == 3.0));
+    }
+
+    #[test]
+    fn the_items_are_all_there_each_in_the_half_that_its_divider_says() {
+        let tree = PointTree::new(lattice());
+        assert_eq!(tree.items().len(), 315);
+        #[track_caller]
+        fn check(items: &[DVec3], axes: &[u8]) {
+            if items.len() < 2 {
+                return;
+            }
+            let middle = items.len() / 2;
+            let axis = usize::from(axes[middle]);
+            let divider = items[middle][axis];
+            assert!(items[..middle].iter().all(|item| item[axis] <= divider));
+            assert!(items[middle..].iter().all(|item| divider <= item[axis]));
+            // across the axis along which the stretch is longest
+            let low = items.iter().copied().fold(DVec3::INFINITY, DVec3::min);
+            let high = items.iter().copied().fold(DVec3::NEG_INFINITY, DVec3::max);
+            assert_eq!((high - low).max_element(), (high - low)[axis]);
+            check(&items[..middle], &axes[..middle]);
+            check(&items[middle + 1..], &axes[middle + 1..]);
+        }
+        check(tree.items(), &tree.axes);
     }
 }

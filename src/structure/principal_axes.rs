@@ -69,4 +69,42 @@ mod tests {
             assert!((direction.dot(axes.col(expected)).abs() - 1.0).abs() <= 1e-9);
         }
     }
+
+    #[test]
+    fn of_the_first_two_half_axes_the_longer_comes_first_and_the_third_keeps_its_place() {
+        for lengths in [[2.0, 3.0, 9.0], [3.0, 2.0, 9.0]] {
+            let columns = DMat3::from_diagonal(lengths.into());
+            let (directions, radii) = principal_axes(columns);
+            assert_eq!(radii, DVec3::new(3.0, 2.0, 9.0));
+            let first = if lengths[0] < lengths[1] {
+                DVec3::Y
+            } else {
+                DVec3::X
+            };
+            assert_eq!(directions[0], first);
+            assert_eq!(directions[2].abs(), DVec3::Z);
+        }
+    }
+
+    #[test]
+    fn half_axes_of_any_size_stand_at_right_angles() {
+        // (1, 0) and (1, 1): the roots of (3 ± √5)/2 are the golden ratio and its inverse
+        let golden = (1.0 + 5.0_f64.sqrt()) / 2.0;
+        for size in [1e-40, 1.0, 1e40] {
+            let f = DMat3::from_cols(DVec3::X, DVec3::new(1.0, 1.0, 0.0), DVec3::Z);
+            let (directions, radii) = principal_axes(size * f);
+            let expected = DVec3::new(golden, 1.0 / golden, 1.0);
+            assert!(
+                (radii / size - expected).abs().max_element() <= 1e-14,
+                "{radii}"
+            );
+            assert!(directions[0].dot(directions[1]).abs() <= 1e-14);
+            // and the longest has the direction in which the square of the length is largest: (golden, 1)
+            let along = DVec3::new(golden, 1.0, 0.0).normalize();
+            assert!(
+                (directions[0].dot(along).abs() - 1.0).abs() <= 1e-14,
+                "{directions:?}"
+            );
+        }
+    }
 }

@@ -133,4 +133,31 @@ mod tests {
             Ordering::Less,
         );
     }
+
+    #[test]
+    fn thirds_are_told_apart_whichever_way_the_rays_go() {
+        // a third, and the f64 below it
+        let rounded = 1.0 / 3.0;
+        for third in [[1.0, 0.0, 3.0], [-1.0, 0.0, -3.0]] {
+            for below in [[rounded, 0.0, 1.0], [-rounded, 0.0, -1.0]] {
+                check(third, below, Ordering::Greater);
+            }
+        }
+    }
+
+    #[test]
+    fn two_large_t_that_f64_turns_round_stay_in_their_order() {
+        // 0.7 is rounded down: 46806668.3 and a bit, by 7, is more than 33433334.5 by 5, which are both 6686666.9 and a bit
+        let (first, second) = ([33_433_335.0, 0.5, 5.0], [46_806_669.0, 0.7, 7.0]);
+        let t = |[plane, origin, direction]: [f64; 3]| (plane - origin) / direction;
+        assert!(t(second) < t(first));
+        check(first, second, Ordering::Less);
+    }
+
+    #[test]
+    fn what_comes_just_after_a_t_is_eight_roundings_further() {
+        assert_eq!(just_after(1.0), 1.0 + 8.0 * f64::EPSILON);
+        assert_eq!(just_after(4.0), 4.0 + 32.0 * f64::EPSILON);
+        assert_eq!(just_after(0.0), 1e-290);
+    }
 }

@@ -210,4 +210,14 @@ mod tests {
         assert_eq!(a.union(&b), joined);
         assert_eq!(SlabBound::EMPTY.union(&a), a);
     }
+
+    #[test]
+    fn a_bound_is_missed_at_the_slab_where_near_passes_far() {
+        // x: −1 … 1 at t = −6 … −4; y: at 4 … 6
+        let steps = steps([5.0, -5.0, 0.0], [1.0, 1.0, 0.0], 0.0);
+        let outcomes: Vec<_> = steps.iter().map(|step| step.outcome).collect();
+        assert_eq!(outcomes, [SlabOutcome::GoesOn, SlabOutcome::Null]);
+        assert_eq!((steps[1].max_near, steps[1].min_far), (4.0, -4.0));
+        assert_eq!(steps[1].inside(), None);
+    }
 }

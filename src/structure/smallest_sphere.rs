@@ -170,4 +170,62 @@ mod tests {
             assert!((found.radius - size).abs() <= 1e-15 * size, "{found:?}");
         }
     }
+
+    #[test]
+    fn a_tetrahedron_has_the_sphere_around_its_corners_or_around_fewer() {
+        // every other corner of the cube from (1, 2, 3) to (3, 4, 5)
+        let regular = [
+            [1.0, 2.0, 3.0],
+            [3.0, 4.0, 3.0],
+            [3.0, 2.0, 5.0],
+            [1.0, 4.0, 5.0],
+        ];
+        check(&regular, [2.0, 3.0, 4.0], 3.0_f64.sqrt());
+        // 3-4-5: (±4, 0, −3), (0, ±4, 3), (3, 0, 4) and (0, −3, 4) on a sphere of radius 5, around (1, 1, 1)
+        let on_five = [
+            [5.0, 1.0, -2.0],
+            [-3.0, 1.0, -2.0],
+            [1.0, 5.0, 4.0],
+            [1.0, -2.0, 5.0],
+        ];
+        check(&on_five, [1.0; 3], 5.0);
+        // flat over an acute triangle, whose circle is large enough: radius 5 around (0, 0, 1)
+        let low = [
+            [3.0, 4.0, 1.0],
+            [-5.0, 0.0, 1.0],
+            [3.0, -4.0, 1.0],
+            [0.0, 0.0, 2.0],
+        ];
+        check(&low, [0.0, 0.0, 1.0], 5.0);
+        // an equilateral triangle with sides of 2, and a point within
+        let height = 3.0_f64.sqrt();
+        let within = [
+            [0.0, 0.0, 0.0],
+            [1.0, 0.5, 0.0],
+            [2.0, 0.0, 0.0],
+            [1.0, height, 0.0],
+        ];
+        check(&within, [1.0, height / 3.0, 0.0], 2.0 / height);
+    }
+
+    #[test]
+    fn the_pair_that_settles_the_sphere_may_stand_anywhere_in_the_list() {
+        // two ends of a diameter of 10 among points within
+        let ends = [[1.0, -3.0, 2.0], [1.0, 5.0, 8.0]];
+        let inner = [
+            [1.0, 1.0, 5.0],
+            [2.0, 1.0, 5.0],
+            [1.0, 3.0, 5.0],
+            [1.0, 1.0, 2.0],
+        ];
+        for first in 0..6 {
+            for second in (0..6).filter(|&second| second != first) {
+                let mut points = Vec::from(inner);
+                let (low, high) = (first.min(second), first.max(second));
+                points.insert(low, ends[usize::from(second < first)]);
+                points.insert(high, ends[usize::from(first < second)]);
+                check(&points, [1.0, 1.0, 5.0], 5.0);
+            }
+        }
+    }
 }

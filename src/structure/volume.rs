@@ -307,4 +307,11 @@ mod tests {
             assert_eq!(volume, Volume::Nothing);
         }
     }
+
+    #[test]
+    fn the_room_of_a_ray_is_that_of_its_slabs() {
+        let ray = along_x(0.0, 0.0);
+        let line = VolumeRay::new(&ray, &SlabSet::SEVEN, 0.25);
+        assert_eq!((line.room(), line.across_set().room()), (0.25, 0.25));
+    }
 }

@@ -220,4 +220,20 @@ mod tests {
         ];
         assert_eq!(along_the_curve(&flat), [1, 3, 2, 0]);
     }
+
+    #[test]
+    fn places_on_the_curve_are_shares_of_the_extent_wherever_the_objects_lie() {
+        let at = |x: f64, y: f64| Solid {
+            min: DVec3::new(x, y, 0.0),
+            max: DVec3::new(x, y, 0.0),
+        };
+        // all of the width counts for more than less than half of the height
+        let solids = [
+            at(108.0, 0.0),
+            at(100.0, 0.4),
+            at(100.0, 0.0),
+            at(100.0, 1.0),
+        ];
+        assert_eq!(along_the_curve(&solids), [2, 1, 0, 3]);
+    }
 }

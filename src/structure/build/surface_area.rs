@@ -444,4 +444,34 @@ mod tests {
         let front: Vec<_> = items[..2].iter().map(|item| item.id.0).collect();
         assert_eq!(front, [1, 3]);
     }
+
+    #[test]
+    fn the_area_behind_a_cut_is_that_of_the_bins_behind_it_alone() {
+        // sixteen touching cubes, one in each bin: 2·8 + 1 times 8 on either side
+        let scene = scene_of(
+            &[0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15].map(|i| cube_at(f64::from(i))),
+        );
+        let items = items(&scene);
+        let cut = best_cut(&items, &Binning::new(&items)).unwrap();
+        assert!((cut.cost - 272.0).abs() <= 1e-6, "{}", cut.cost);
+        assert_eq!(cut.bin, 7);
+    }
+
+    #[test]
+    fn a_row_whose_distances_double_makes_a_tree_that_is_halved_below_the_depth_limit() {
+        // each cut takes a few of the furthest: without the limit the tree would be 79 deep. At depth 64 the objects that are
+        // left are halved until leaves of up to 8 are
+        let row: Vec<_> = (-160..160)
+            .map(|i| sphere([2.0_f64.powi(i), 0.0, 0.0], 1e-50))
+            .collect();
+        let nodes = links(&scene_of(&row));
+        let mut depths = vec![0; nodes.len()];
+        for (node, &(first, count, is_leaf)) in nodes.iter().enumerate() {
+            for child in (first..first + count).filter(|_| !is_leaf) {
+                depths[child as usize] = depths[node] + 1;
+            }
+        }
+        let deepest = depths.into_iter().max();
+        assert!((65..=72).contains(&deepest.unwrap()), "{deepest:?}");
+    }
 }
