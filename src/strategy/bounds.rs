@@ -182,4 +182,23 @@ mod tests {
         let ray = Ray::new(DVec3::new(1.0, -2.0, 3.0), DVec3::X);
         assert!((strategy.room(&ray) - 36e-10).abs() <= 1e-20);
     }
+
+    #[test]
+    fn s_and_t_of_each_direction_are_noted_where_slabs_are_the_volumes() {
+        let scene = scene_of(&[cube_at(3.0)]);
+        let ray = Ray::new(DVec3::new(0.0, 0.5, 0.5), DVec3::new(1.0, 2.0, 3.0));
+        let lines = |kind| {
+            let strategy = BoundedObjects::new(&scene, kind, &SlabSet::SEVEN);
+            let lines = noted(&strategy, &ray)
+                .0
+                .into_iter()
+                .filter_map(|event| match event {
+                    Event::SlabRay(line) => Some(line.slab),
+                    _ => None,
+                });
+            lines.collect::<Vec<_>>()
+        };
+        assert_eq!(lines(VolumeKind::Slabs), [0, 1, 2, 3, 4, 5, 6]);
+        assert!(lines(VolumeKind::Box).is_empty());
+    }
 }

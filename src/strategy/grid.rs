@@ -287,4 +287,43 @@ mod tests {
         // 5 + 2 + 2 planes of 8 bytes, 5 starts and 5 entries of 4
         assert_eq!(grid.bytes(), 72 + 20 + 20);
     }
+
+    #[test]
+    fn a_hit_just_where_a_cell_ends_lies_in_it_and_a_tie_is_not_passed() {
+        // the second box begins in the plane between the second and the third of four cells, which is 2 but for rounding
+        let beginning_at = |x: f64| {
+            scene_of(&[
+                solid([0.0, 1.5, 0.0], [0.5, 4.0, 2.0]),
+                solid([x, 0.0, 0.0], [4.0, 2.0, 2.0]),
+            ])
+        };
+        let options = options([4, 1, 1], true);
+        let plane = Grid::new(&beginning_at(2.0), &options).unwrap().planes(0)[2];
+        let scene = beginning_at(plane);
+        let grid = UniformGrid::new(&scene, &options).unwrap();
+        let (events, hit) = noted(&grid, &Ray::new(DVec3::new(-1.0, 1.0, 1.0), DVec3::X));
+        assert_eq!(hit.map(|hit| (hit.object.0, hit.t)), Some((1, plane + 1.0)));
+        let cells = events.iter().filter_map(|event| match event {
+            Event::Cell(cell) => Some(cell.step.t_out),
+            _ => None,
+        });
+        assert_eq!(cells.collect::<Vec<_>>()[1], plane + 1.0);
+        let outside = |event: &Event| matches!(event, Event::HitOutsideCell(_));
+        assert!(!events.iter().any(outside));
+        assert!(!is_passed(1.0, 1.0 + STRETCH));
+    }
+
+    #[test]
+    fn a_range_that_ends_before_any_hit_leaves_the_grid_without_one() {
+        let scene = scene_of(&[cube_at(0.0), cube_at(3.0)]);
+        let grid = UniformGrid::new(&scene, &options([4, 1, 1], true)).unwrap();
+        let ray = Ray::new(DVec3::new(1.2, 0.5, 0.5), DVec3::X);
+        let (events, hit) =
+            crate::strategy::noted::noted_in(&grid, &ray, TRange::FORWARD.up_to(1.0));
+        assert_eq!(hit, None);
+        match events.last() {
+            Some(Event::GridExit(exit)) => assert_eq!((exit.end, exit.cells), (WalkEnd::Left, 2)),
+            other => panic!("{other:?}"),
+        }
+    }
 }

@@ -172,4 +172,30 @@ mod tests {
         }
         assert_eq!(nearest.range().max, 4.0);
     }
+
+    #[test]
+    fn an_object_that_is_offered_once_more_replaces_nothing() {
+        use crate::trace::Recording;
+        let mut recording = Recording::new(Vec::new());
+        let mut nearest = NearestSoFar::new(TRange::FORWARD);
+        for (object, t) in [(4, 7.0), (4, 7.0), (2, 5.0), (2, 5.0), (3, 5.0), (1, 5.0)] {
+            let _ = nearest.offer(PrimitiveId(object), t, &mut recording);
+        }
+        let noted = recording.into_sink();
+        let noted = noted.iter().map(|record| match record.event {
+            Event::Nearest(of) => (of.object.0, of.replaced.map(|id| id.0)),
+            other => panic!("{other:?}"),
+        });
+        let expected = [(4, None), (2, Some(4)), (1, Some(2))];
+        assert_eq!(noted.collect::<Vec<_>>(), expected);
+    }
+
+    #[test]
+    fn any_hit_ends_the_search_with_the_first_that_is_offered() {
+        let mut any = AnyHit::new(TRange::FORWARD.up_to(9.0));
+        assert!(any.ends_at_first() && !NearestSoFar::new(TRange::FORWARD).ends_at_first());
+        assert_eq!((any.hit(), any.range().max), (None, 9.0));
+        assert!(any.offer(PrimitiveId(3), 7.0, &mut Off).is_break());
+        assert_eq!(any.hit().map(|hit| (hit.object.0, hit.t)), Some((3, 7.0)));
+    }
 }

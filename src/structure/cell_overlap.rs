@@ -417,11 +417,7 @@ mod tests {
             let (x, y) = (1.0 + gap, 2.0 - gap);
             let triangle = polygon(&[[x, 1.5, 0.5], [x + 1.5, 1.5, 0.5], [x, y, 3.4]]);
             let cells = cells_of(&triangle, Lists::Objects);
-            [0, 2].map(|row| {
-                cells
-                    .iter()
-                    .any(|cell| cell[if row == 0 { 0 } else { 1 }] == row)
-            })
+            [0, 2].map(|row| cells.iter().any(|cell| cell[usize::from(row != 0)] == row))
         };
         assert_eq!([2e-10, 5e-10].map(upright), [[true, true], [false, false]]);
     }

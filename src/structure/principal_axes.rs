@@ -89,7 +89,7 @@ mod tests {
     #[test]
     fn half_axes_of_any_size_stand_at_right_angles() {
         // (1, 0) and (1, 1): the roots of (3 ± √5)/2 are the golden ratio and its inverse
-        let golden = (1.0 + 5.0_f64.sqrt()) / 2.0;
+        let golden = 0.5 + 1.25_f64.sqrt();
         for size in [1e-40, 1.0, 1e40] {
             let f = DMat3::from_cols(DVec3::X, DVec3::new(1.0, 1.0, 0.0), DVec3::Z);
             let (directions, radii) = principal_axes(size * f);

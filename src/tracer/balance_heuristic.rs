@@ -211,5 +211,15 @@ mod tests {
             0.488_281_25,
         );
         check(paths.window_density(DVec3::NEG_Z), 0.25);
+        // the window counts, into however many pixels it is divided
+        let camera = Camera {
+            pixels: [4, 2],
+            ..camera
+        };
+        let paths = Paths {
+            camera: &camera,
+            ..paths
+        };
+        check(paths.window_density(DVec3::NEG_Z), 0.25);
     }
 }

@@ -115,4 +115,15 @@ mod tests {
             assert!(!all[..i].contains(number), "{all:?}");
         }
     }
+
+    #[test]
+    fn no_path_of_light_has_the_numbers_of_another_or_of_a_path_from_the_eye() {
+        let mut firsts: Vec<u64> = (0..100)
+            .flat_map(|path| [Chance::of_light(1, path), Chance::of_eye(1, path)])
+            .map(|mut chance| chance.number().to_bits())
+            .collect();
+        firsts.sort_unstable();
+        firsts.dedup();
+        assert_eq!(firsts.len(), 200);
+    }
 }

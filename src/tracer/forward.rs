@@ -155,4 +155,27 @@ mod tests {
         assert_eq!(eye.radius, 0.05);
         assert_eq!(eye.normal.abs(), DVec3::Z);
     }
+
+    #[test]
+    fn light_that_starts_in_the_disc_itself_has_not_passed_it() {
+        assert!(seen(&leg([0.1, 0.0, 0.0], [0.0, 0.0, 1.0], f64::INFINITY)).is_none());
+    }
+
+    #[test]
+    fn an_eye_away_from_the_origin_sees_the_same() {
+        let mut camera = one_pixel(r#""objects":[]"#).camera;
+        camera.cop = DVec3::new(1.0, 2.0, 3.0);
+        let options = LightOptions {
+            aperture: Some(0.5),
+            ..LightOptions::default()
+        };
+        let eye = Eye::new(&camera, &options);
+        let straight =
+            |x: f64| eye.arrival(&leg([1.0 + x, 2.0, -2.0], [0.0, 0.0, 1.0], f64::INFINITY));
+        let found = straight(0.25).unwrap();
+        assert_eq!(found.window, DVec3::new(1.25, 2.0, 2.0));
+        assert_eq!(found.aperture, DVec3::new(1.25, 2.0, 3.0));
+        assert!((found.radiance - 2.0 / PI).abs().max_element() <= 1e-15);
+        assert!(straight(0.6).is_none());
+    }
 }

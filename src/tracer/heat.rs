@@ -220,4 +220,13 @@ mod tests {
             [HeatOf::Tests, HeatOf::Nodes, HeatOf::Cells, HeatOf::Depth].map(|of| of.value(&heat));
         assert_eq!(values, [1.0, 2.0, 3.0, 4.0]);
     }
+
+    #[test]
+    fn a_map_is_titled_by_what_it_counts() {
+        let titles =
+            [HeatOf::Tests, HeatOf::Nodes, HeatOf::Cells, HeatOf::Depth].map(HeatOf::title);
+        for (title, word) in titles.into_iter().zip(["tests", "nodes", "cells", "depth"]) {
+            assert!(title.contains(word), "{title}");
+        }
+    }
 }

@@ -401,4 +401,140 @@ mod tests {
         // 1.25² over 4 times 0.8
         assert!((per_area(&crossing, 4.0) - 0.488_281_25).abs() <= 1e-15);
     }
+
+    #[test]
+    fn what_stands_within_the_epsilon_of_a_surface_does_not_block_a_line_to_it() {
+        // a ball that ends 0.0005 before the wall, whose ε is 0.001
+        let ball = object("ball", "m", &sphere([0.0, 0.0, -4.4995], 0.5));
+        let scene = one_pixel(&format!(
+            r#""materials":{{"m":{{"colour":[1,1,1]}}}},"objects":[{ball}]"#
+        ));
+        let strategy = Exhaustive::new(&scene);
+        let tracer = Tracer::new(&scene, &strategy, Transport::HybridConnected);
+        let [_, wall, _] = vertices();
+        let before = Vertex::end(DVec3::new(0.0, 0.0, -4.2), DVec3::ONE);
+        let visible = |epsilon: f64| {
+            let wall = Vertex { epsilon, ..wall };
+            let line = Line::between(&wall, &before, None).unwrap();
+            match tracer.sees(&before, &wall, &line, &mut Off) {
+                ControlFlow::Continue(visible) => visible,
+                ControlFlow::Break(()) => panic!("nobody has enough"),
+            }
+        };
+        assert!(visible(1e-3) && !visible(1e-4));
+    }
+
+    /// A white room around the eye, a lamp of 6 watts beside it, and a picture of 3 × 2 pixels with sides of 1.
+    fn room() -> Scene {
+        let walls = sphere([0.0, 0.0, 0.0], 4.0);
+        crate::scene::small_scene::scene_from(&format!(
+            r#"{{"camera":{{"window":{{"cop":[0,0,0],"corner":[-1.5,-1,-1],"right":[3,0,0],"up":[0,2,0]}},
+            "pixels":[3,2]}},"lights":[{{"position":[0,1,0],"power":6}}],
+            "materials":{{"m":{{"colour":[1,1,1],"diffuse":0.75}}}},"objects":[{}]}}"#,
+            object("room", "m", &walls)
+        ))
+    }
+
+    fn settings(bounces: Option<u32>) -> Settings {
+        let mut settings = Settings {
+            transport: Transport::HybridConnected,
+            ..Settings::default()
+        };
+        settings.light.samples = 3;
+        settings.light.bounces = bounces;
+        settings
+    }
+
+    /// What is noted in the pixel (1, 1), and its colour; with what lines to the eye brought.
+    fn pixel_of_room(bounces: Option<u32>) -> (Vec<Event>, DVec3, DVec3) {
+        let scene = room();
+        let strategy = Exhaustive::new(&scene);
+        let settings = settings(bounces);
+        let light = LightPass::new(&scene, &strategy, &settings, None, |_: Off| {}, |_| {});
+        let light = light.unwrap().unwrap();
+        let tracer = Tracer::new(&scene, &strategy, Transport::HybridConnected);
+        let mut recording = Recording::new(Vec::new());
+        let colour = match tracer.connected_pixel(&light, [1, 1], &mut recording) {
+            ControlFlow::Continue(colour) => colour,
+            ControlFlow::Break(()) => panic!("nobody has enough"),
+        };
+        let records = recording.into_sink();
+        let events = records.into_iter().map(|record| record.event);
+        (events.collect(), colour, light.seen([1, 1]))
+    }
+
+    #[test]
+    fn a_pixel_has_its_own_paths_and_counts_what_they_bring_for_the_whole_picture() {
+        let (events, colour, seen) = pixel_of_room(Some(3));
+        let mut places = Vec::new();
+        let mut paths = Vec::new();
+        let mut sum = DVec3::ZERO;
+        for event in &events {
+            match event {
+                Event::Pixel(sample) => places.push((sample.sample, sample.samples, sample.place)),
+                Event::Connection(of) => {
+                    paths.push(of.path);
+                    sum += of.contribution;
+                    assert!(of.light_vertex + of.eye_vertex <= 3 && 1 <= of.eye_vertex);
+                }
+                _ => {}
+            }
+        }
+        // the fifth pixel of six, each with three samples
+        paths.dedup();
+        assert_eq!(paths, [12, 13, 14]);
+        assert_eq!(
+            places.iter().map(|place| place.0).collect::<Vec<_>>(),
+            [0, 1, 2]
+        );
+        for (_, samples, place) in places {
+            assert_eq!(samples, 3);
+            assert!(
+                (1.0..2.0).contains(&place.x) && (1.0..2.0).contains(&place.y),
+                "{place}"
+            );
+        }
+        assert!(sum.cmpgt(DVec3::ZERO).all() && seen.cmpgt(DVec3::ZERO).all());
+        // six pixels
+        let off = (colour - (6.0 * sum + seen)).abs().max_element();
+        assert!(off <= 1e-14 * colour.max_element(), "{colour}");
+    }
+
+    #[test]
+    fn a_path_of_one_surface_is_connected_to_the_lamp_alone() {
+        let (events, _, _) = pixel_of_room(Some(1));
+        let ends = events.iter().filter_map(|event| match event {
+            Event::Connection(of) => Some((of.light_vertex, of.eye_vertex)),
+            _ => None,
+        });
+        let ends: Vec<_> = ends.collect();
+        assert_eq!(ends, [(0, 1); 3]);
+    }
+
+    #[test]
+    fn each_surface_of_a_path_of_light_up_to_the_most_has_a_line_to_the_eye() {
+        let scene = room();
+        let strategy = Exhaustive::new(&scene);
+        let tracer = Tracer::new(&scene, &strategy, Transport::HybridConnected);
+        let mut lines_to = [0; 3];
+        for bounces in [1, 2] {
+            let lamps = Lamps::new(&scene, &settings(Some(bounces)));
+            for path in 0..200 {
+                let lines = match tracer.seen_by_the_eye(&lamps, path, &mut Off) {
+                    ControlFlow::Continue(lines) => lines,
+                    ControlFlow::Break(()) => panic!("nobody has enough"),
+                };
+                for line in lines {
+                    assert!((1..=bounces).contains(&u32::from(line.light_vertex)));
+                    assert_eq!(line.eye_vertex, 0);
+                    lines_to[usize::from(line.light_vertex)] += 1;
+                }
+            }
+        }
+        // the window takes some of the directions, and its pixels 1 of 6 sides of a cube around the eye
+        assert!(
+            lines_to[0] == 0 && 10 < lines_to[1] && 5 < lines_to[2],
+            "{lines_to:?}"
+        );
+    }
 }

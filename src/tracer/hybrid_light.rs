@@ -199,4 +199,15 @@ mod tests {
         });
         assert_eq!(visibility, Some(Visibility::Shadowed));
     }
+
+    #[test]
+    fn the_highlight_is_seen_in_the_mirror_direction_of_the_light() {
+        // N·L = 0.8 and R·V = 0.8: ½·0.8 and ¼·0.8²
+        let scene = one_pixel(&format!(
+            r#""materials":{{"m":{{"colour":[1,0.5,0],"diffuse":0.5,"specular":0.25,"shininess":2}}}},
+            "lights":[{{"position":{LAMP:?},"colour":[1,1,1]}}],"objects":[{}]"#,
+            object("wall", "m", &wall(-5.0))
+        ));
+        check(&scene, Transport::HybridLight, [0.56, 0.36, 0.16]);
+    }
 }

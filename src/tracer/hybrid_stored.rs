@@ -437,4 +437,11 @@ mod tests {
             }
         }
     }
+
+    #[test]
+    fn a_photon_takes_169_bytes_while_it_is_stored() {
+        // nine coordinates of 8 bytes and two numbers of 4; once with a patch of 8, once in the tree with an axis of 1
+        let photon = 9 * 8 + 2 * 4;
+        assert_eq!(bytes_per_photon(), f64::from(photon + 8 + photon + 1));
+    }
 }

@@ -140,4 +140,23 @@ mod tests {
         assert_eq!(light(9.0, 1.0), (DVec3::splat(2.0), 2));
         assert_eq!(light(5.0, -1.0), (DVec3::ZERO, 0));
     }
+
+    #[test]
+    fn the_shorter_side_has_as_many_cells_as_it_takes_to_cover_it() {
+        let rows = |height: f64, along_longer: u32| {
+            let corners = [
+                [0.0, 0.0, 0.0],
+                [4.0, 0.0, 0.0],
+                [4.0, height, 0.0],
+                [0.0, height, 0.0],
+            ];
+            let map = IlluminationMap::new(&corners.map(DVec3::from), DVec3::Z, along_longer);
+            map.cells.len() / map.columns.max(map.cells.len() / map.columns)
+        };
+        // cells of ½ and of 2; at least one row
+        assert_eq!(
+            [rows(2.0, 8), rows(3.0, 2), rows(2.9, 8), rows(0.1, 8)],
+            [4, 2, 6, 1]
+        );
+    }
 }

@@ -437,4 +437,53 @@ mod tests {
         parallel::with_threads(2, || shared.run(2, || (), work)).unwrap();
         assert_eq!(made.load(Ordering::SeqCst), 3 * KEPT);
     }
+
+    /// What is written makes room for more: the lowest tile has handed over more than is kept, and another is let in.
+    #[test]
+    fn what_is_written_is_kept_no_longer() {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(2).build();
+        let made = AtomicUsize::new(0);
+        let shared: InOrder<_, Order> = InOrder::new(io::sink(), u64::MAX);
+        let work = |tile: &mut Tile<'_, _, Order>, (): &mut ()| {
+            if tile.number() == 0 {
+                for _ in 0..2 * KEPT {
+                    assert!(tile.line(|lines| lines.resize(PIECE, 0)).is_continue());
+                }
+                while made.load(Ordering::SeqCst) == 0 {
+                    std::thread::yield_now();
+                }
+            } else {
+                assert!(tile.line(|lines| lines.resize(PIECE, 0)).is_continue());
+                made.fetch_add(1, Ordering::SeqCst);
+            }
+            Ok(Order::default())
+        };
+        pool.unwrap()
+            .install(|| shared.run(2, || (), work))
+            .unwrap();
+    }
+
+    #[test]
+    fn a_tile_that_is_gone_keeps_no_other_waiting() {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(2).build();
+        let made = AtomicUsize::new(0);
+        let mut out = Vec::new();
+        let shared: InOrder<_, Order> = InOrder::new(&mut out, u64::MAX);
+        let work = |tile: &mut Tile<'_, _, Order>, (): &mut ()| {
+            if tile.number() == 0 {
+                // without the message of a panic
+                std::panic::resume_unwind(Box::new("gone"));
+            }
+            for _ in 0..2 * KEPT {
+                let _ = tile.line(|lines| lines.resize(PIECE, 7));
+                made.fetch_add(1, Ordering::SeqCst);
+            }
+            Ok(Order::default())
+        };
+        let run = || pool.unwrap().install(|| shared.run(2, || (), work));
+        let run = std::panic::catch_unwind(std::panic::AssertUnwindSafe(run));
+        assert!(run.is_err());
+        assert_eq!(made.load(Ordering::SeqCst), 2 * KEPT);
+        assert_eq!(out.len(), 2 * KEPT * PIECE);
+    }
 }

@@ -260,7 +260,7 @@ mod tests {
     use std::slice::from_ref;
 
     use super::*;
-    use crate::scene::small_scene::{object, one_pixel, polygon, solid, sphere};
+    use crate::scene::small_scene::{object, one_pixel, polygon, scene_from, solid, sphere};
     use crate::strategy::Exhaustive;
 
     /// The faces of a cube from (0, 0, 0) to (2, 2, 2), as a mesh.
@@ -515,14 +515,30 @@ mod tests {
 
     #[test]
     fn samples_are_limited_by_the_paths_of_all_pixels() {
-        let scene = |of: &mut Settings| {
-            of.transport = Transport::HybridConnected;
-            of.light.samples = u32::MAX;
-        };
-        assert_eq!(
-            checked(WHITE, LAMP, &sphere([0.0, 500.0, 0.0], 1.0), scene),
-            Ok(vec![])
+        // four pixels: a fourth of 2³² − 1 for each
+        let scene = scene_from(
+            r#"{"camera":{"window":{"cop":[0,0,0],"corner":[-1,-1,-1],"right":[2,0,0],"up":[0,2,0]},
+            "pixels":[2,2]},"lights":[{"position":[0,0,-3],"power":12}],"objects":[]}"#,
         );
+        let strategy = Exhaustive::new(&scene);
+        let check = |samples: u32| {
+            let mut settings = Settings {
+                transport: Transport::HybridConnected,
+                ..Settings::default()
+            };
+            settings.light.samples = samples;
+            check_light(&scene, &strategy, &settings)
+        };
+        assert_eq!(check(u32::MAX / 4), Ok(vec![]));
+        match check(u32::MAX / 4 + 1) {
+            Err(LightError::TooMany { setting, most, .. }) => {
+                assert_eq!(
+                    (setting, most),
+                    (LightSetting::Samples, u64::from(u32::MAX / 4))
+                );
+            }
+            other => panic!("{other:?}"),
+        }
     }
 
     #[test]

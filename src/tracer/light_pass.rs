@@ -356,7 +356,7 @@ mod tests {
         let mut forward = settings(Transport::Forward, 200);
         forward.light.aperture = Some(2.0);
         let light = pass(&scene, &forward, Some(whole));
-        assert_ne!(light.seen([0, 0]), DVec3::ZERO);
+        assert!(light.seen([0, 0]).cmpgt(DVec3::ZERO).all());
         let tracer = Tracer::new(&scene, &strategy, Transport::Forward).with_light(Some(&light));
         let behind = paths_behind(&tracer, whole, Through::Centres).unwrap();
         assert!(!behind.is_empty() && behind.iter().all(|&path| path < 200));
@@ -401,5 +401,39 @@ mod tests {
         }
         assert_eq!(stored as usize, light.stored().photons().count());
         assert!(0 < stored);
+    }
+
+    #[test]
+    fn a_pixel_that_photons_come_into_sends_no_ray_and_shows_what_was_seen() {
+        use crate::trace::Recording;
+        let scene = crate::scene::small_scene::scene_of(&[]);
+        let strategy = Exhaustive::new(&scene);
+        let light = pass(&scene, &settings(Transport::Forward, 10), None);
+        let tracer = Tracer::new(&scene, &strategy, Transport::Forward).with_light(Some(&light));
+        let mut recording = Recording::new(Vec::new());
+        let colour = trace_pixel(&tracer, [1, 0], Through::Corners, &mut recording).unwrap();
+        assert_eq!(colour, light.seen([1, 0]));
+        let records = recording.into_sink();
+        let Event::Pixel(sample) = records[0].event else {
+            panic!("{records:?}");
+        };
+        assert_eq!((sample.pixel, sample.samples), ([1, 0], 0));
+        // the centre of the upper right pixel, half a unit from the middle of the window
+        assert_eq!(sample.place.to_array(), [1.5, 0.5]);
+        assert_eq!(sample.point, DVec3::new(0.5, 0.5, -1.0));
+        assert_eq!(records.len(), 2);
+    }
+
+    #[test]
+    fn what_the_wall_sends_through_a_large_aperture_is_seen_by_the_pixel() {
+        let scene = lit_wall();
+        let mut forward = settings(Transport::Forward, 200);
+        forward.light.aperture = Some(2.0);
+        let light = pass(&scene, &forward, None);
+        assert_ne!(light.seen([0, 0]), DVec3::ZERO);
+        let strategy = Exhaustive::new(&scene);
+        let tracer = Tracer::new(&scene, &strategy, Transport::Forward).with_light(Some(&light));
+        let shown = trace_pixel(&tracer, [0, 0], Through::Centres, &mut Off).unwrap();
+        assert_eq!(shown, light.seen([0, 0]));
     }
 }

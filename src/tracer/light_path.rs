@@ -215,4 +215,16 @@ mod tests {
         let followed = tracer.follow_light(&lamps, 0, &mut NoWatcher, &mut Off);
         assert!(matches!(followed, ControlFlow::Continue(None)));
     }
+
+    #[test]
+    fn of_two_lights_either_is_chosen() {
+        let two = one_pixel(
+            r#""lights":[{"position":[2,0,0],"power":1},{"position":[0,-4,0],"power":1}],"objects":[]"#,
+        );
+        let lamps = Lamps::new(&two, &settings(8, None));
+        let mut chance = Chance::of_light(1, 0);
+        let second = (0..1000).filter(|_| lamps.choose(&mut chance) == 1).count();
+        // 500 ± 5·√250
+        assert!((421..=579).contains(&second), "{second}");
+    }
 }

@@ -203,7 +203,7 @@ mod tests {
     fn parts(building: bool, paths: usize) -> Parts {
         let region = Region {
             from: [3, 5],
-            to: [6, 6],
+            to: [6, 9],
         };
         Parts {
             building,
@@ -214,11 +214,11 @@ mod tests {
 
     #[test]
     fn a_log_has_the_building_then_the_paths_in_pieces_then_the_pixels_row_by_row() {
-        // 4 × 2 pixels; 2049 paths take three pieces of up to 1024
+        // 4 × 5 pixels; 2049 paths take three pieces of up to 1024
         let parts = parts(true, 2049);
         assert_eq!(
             (parts.before_pixels(), parts.width(), parts.len()),
-            (4, 4, 12)
+            (4, 4, 24)
         );
         assert!(matches!(parts.get(0), Part::Building));
         let pieces = [1, 2, 3].map(|number| match parts.get(number) {
@@ -236,7 +236,7 @@ mod tests {
     #[test]
     fn without_building_and_paths_the_first_part_is_the_first_pixel() {
         let none = parts(false, 0);
-        assert_eq!((none.before_pixels(), none.len()), (0, 8));
+        assert_eq!((none.before_pixels(), none.len()), (0, 20));
         assert!(matches!(none.get(0), Part::Pixel([3, 5])));
         let paths = parts(false, 1024);
         assert_eq!(paths.before_pixels(), 1);
@@ -253,5 +253,37 @@ mod tests {
         assert!(numbers(LoggedPaths::None).is_empty());
         assert_eq!(numbers(LoggedPaths::All(3)), [0, 1, 2]);
         assert_eq!(numbers(LoggedPaths::Some(vec![9, 4])), [9, 4]);
+    }
+
+    #[test]
+    fn a_log_has_a_head_and_a_line_for_each_event_and_says_when_a_scan_line_is_done() {
+        use crate::scene::small_scene::scene_of;
+        use crate::strategy::Exhaustive;
+        use crate::trace::{Counts, Purpose, Transport};
+        use std::sync::Mutex;
+
+        // 2 × 2 pixels of an empty scene: pixel, ray, ray_end and pixel_colour
+        let scene = scene_of(&[]);
+        let strategy = Exhaustive::new(&scene);
+        let tracer = Tracer::new(&scene, &strategy, Transport::HybridLight);
+        let options = |budget| LogOptions {
+            region: Region::whole([2, 2]),
+            kinds: Kinds::ALL,
+            budget,
+            paths: LoggedPaths::None,
+        };
+        let settings = Settings::default();
+        let lines_done = Mutex::new(Vec::new());
+        let mut out = Vec::new();
+        let done = |lines| lines_done.lock().unwrap().push(lines);
+        let counts: Counts = write_log(&tracer, &settings, &options(16), &mut out, done).unwrap();
+        assert_eq!(counts.of(Purpose::Eye).traced, 4);
+        let mut lines_done = lines_done.into_inner().unwrap();
+        lines_done.sort_unstable();
+        assert_eq!(lines_done, [1, 2]);
+        let text = String::from_utf8(out).unwrap();
+        assert_eq!(text.lines().count(), 1 + 16, "{text}");
+        let stopped = write_log::<_, Counts>(&tracer, &settings, &options(15), io::sink(), |_| {});
+        assert!(matches!(stopped, Err(LogStopped::Budget)));
     }
 }

@@ -174,4 +174,36 @@ mod tests {
         assert_eq!(picture.colours, expected);
         assert_eq!(lines, [1, 2, 3]);
     }
+
+    #[test]
+    fn a_corner_beyond_the_last_pixels_belongs_to_them_where_it_takes_too_many_rays() {
+        // mirrors that the corners to the right or below alone see: two rays, where one is allowed
+        let stopped = |corners: [[f64; 3]; 4]| {
+            let scene = scene_from(&format!(
+                r#"{{"camera":{{"window":{{"cop":[0,0,0],"corner":[-1.5,-1,-1],"right":[3,0,0],"up":[0,2,0]}},
+                "pixels":[3,2]}},"materials":{{"m":{{"colour":[1,1,1],"reflection":1}}}},"objects":[{}]}}"#,
+                object("mirror", "m", &polygon(&corners))
+            ));
+            let strategy = Exhaustive::new(&scene);
+            let tracer = Tracer::new(&scene, &strategy, Transport::HybridLight).with_max_rays(1);
+            render::<_, Off>(&tracer, Through::Corners, |_| {}).map(|_| ())
+        };
+        let right = [
+            [14.0, -50.0, -10.0],
+            [50.0, -50.0, -10.0],
+            [50.0, 50.0, -10.0],
+            [14.0, 50.0, -10.0],
+        ];
+        let max_rays = 1;
+        let pixel = [2, 0];
+        assert_eq!(stopped(right), Err(Stopped::Rays { pixel, max_rays }));
+        let below = [
+            [-50.0, -50.0, -10.0],
+            [50.0, -50.0, -10.0],
+            [50.0, -9.0, -10.0],
+            [-50.0, -9.0, -10.0],
+        ];
+        let pixel = [0, 1];
+        assert_eq!(stopped(below), Err(Stopped::Rays { pixel, max_rays }));
+    }
 }

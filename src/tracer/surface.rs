@@ -196,4 +196,20 @@ mod tests {
         );
         assert_eq!((start.window_t, start.light), (None, None));
     }
+
+    #[test]
+    fn a_ray_along_a_surface_meets_its_front() {
+        let scene = glass_ball();
+        let ray = Ray::new(DVec3::ZERO, -DVec3::Z);
+        let hit = Hit {
+            object: PrimitiveId(0),
+            t: 8.0,
+        };
+        let normals = Normals {
+            geometric: DVec3::X,
+            shading: DVec3::X,
+        };
+        let found = Surface::new(&scene, &ray, 1, hit, normals);
+        assert_eq!((found.back, found.across), (false, DVec3::X));
+    }
 }

@@ -297,6 +297,9 @@ mod tests {
         assert_eq!(seen.fates, [PhotonFate::Mirrored]);
         assert_eq!(outcomes(&events), [Outcome::Hit, Outcome::Miss]);
         assert_eq!(purposes(&events), [Purpose::Eye, Purpose::Reflected]);
+        // what lets nothing through bends nothing
+        let bends = |event: &Event| matches!(event, Event::Refraction(_));
+        assert!(!events.iter().any(bends));
         // a photon from a lamp stays one
         let (_, events) = walked(&scene(MIRROR, None), Purpose::Light, 9);
         assert_eq!(purposes(&events), [Purpose::Light, Purpose::Light]);

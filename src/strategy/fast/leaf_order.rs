@@ -301,4 +301,29 @@ mod tests {
         });
         assert_eq!(visited, [1, 2]);
     }
+
+    #[test]
+    fn what_the_copy_of_a_triangle_cannot_settle_is_asked_of_the_polygon_itself() {
+        // quadrilaterals have no copy; and the edge of a triangle is for the polygon to say
+        let square = polygon(&[
+            [6.0, -1.0, -1.0],
+            [6.0, 2.0, -1.0],
+            [6.0, 2.0, 2.0],
+            [6.0, -1.0, 2.0],
+        ]);
+        let scene = scene_of(&[square, across(9.0)]);
+        let order = ids(&scene);
+        let kept = LeafOrder::of_leaves(&scene, &order);
+        let hit = |y: f64, z: f64, places: Range<usize>| {
+            let ray = Ray::new(DVec3::new(0.0, y, z), DVec3::X);
+            let mut found = NearestSoFar::new(TRange::FORWARD);
+            let _ = kept.test(&scene, &order, places, &ray, &mut found);
+            found.hit().map(|hit| (hit.object.0, hit.t))
+        };
+        assert_eq!(hit(1.5, 1.5, 0..2), Some((0, 6.0)));
+        assert_eq!(hit(2.5, 1.5, 0..2), None);
+        // 10⁻¹³ before the slanted edge of the triangle: too near for the copy, and inside
+        let inside = 0.5 - 1e-13;
+        assert_eq!(hit(inside, inside, 1..2), Some((1, 9.0)));
+    }
 }

@@ -193,7 +193,9 @@ mod tests {
             let along = 0.5 + 0.6 * number();
             let beside = number() * 0.1_f64.powf(f64::from(case % 18));
             let target = from.lerp(to, along) + beside * (corners[2] - from);
-            let origin = target + 3.0 * DVec3::new(number(), number(), number());
+            // from nearby, and from so far away that the rounding of the origin is what counts
+            let away = if case % 5 == 0 { 1e6 } else { 3.0 };
+            let origin = target + away * DVec3::new(number(), number(), number());
             let ray = Ray::through(origin, target);
 
             let t = polygon

@@ -109,4 +109,23 @@ mod tests {
         let still = Ray::new(DVec3::new(-5.0, 2.0, 0.0), DVec3::ZERO);
         assert!(!is_clearly_missed(&UNIT, &still));
     }
+
+    #[test]
+    fn a_sphere_of_any_size_and_place_is_missed_by_its_own_radius() {
+        let ball = Sphere {
+            center: DVec3::new(3.0, 4.0, 5.0),
+            radius: 2.0,
+        };
+        for (y, clear) in [
+            (7.0, true),
+            (6.1, true),
+            (5.9, false),
+            (4.0, false),
+            (2.1, false),
+            (1.9, true),
+        ] {
+            let ray = Ray::new(DVec3::new(-2.0, y, 5.0), DVec3::X);
+            assert_eq!(is_clearly_missed(&ball, &ray), clear, "{y}");
+        }
+    }
 }

@@ -141,4 +141,11 @@ mod tests {
         assert!(unsure([0.0, 3.0, 2.5], TRange::FORWARD));
         assert!(unsure([0.5, 0.0, 2.5], TRange::FORWARD.up_to(2.0)));
     }
+
+    #[test]
+    fn cells_are_passed_at_the_speed_of_the_ray_along_each_axis() {
+        // y = 2 at t = 4, where x = 2.5 and z = 8.5
+        let slow = [0.25, 0.5, 1.5];
+        check([1.5, 0.0, 2.5], slow, TRange::FORWARD, [1, 0, 2], 4.0);
+    }
 }

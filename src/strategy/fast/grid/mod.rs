@@ -86,3 +86,47 @@ impl Fast for UniformGrid<'_> {
         aids.ways.bytes() + aids.objects.bytes()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use glam::DVec3;
+
+    use super::*;
+    use crate::geometry::TRange;
+    use crate::scene::small_scene::{polygon, scene_of, solid};
+    use crate::strategy::Strategy;
+    use crate::structure::GridOptions;
+
+    #[test]
+    fn a_nearer_object_in_a_cell_before_the_hit_is_found() {
+        // a wall slanted through four cells in a row, hit in the third; a box in the second that the ray meets sooner (Fig. 15.62)
+        let wall = [
+            [0.5, 0.1, 0.1],
+            [3.5, 1.9, 0.1],
+            [3.5, 1.9, 1.9],
+            [0.5, 0.1, 1.9],
+        ];
+        let scene = scene_of(&[
+            polygon(&wall),
+            solid([1.25, 1.1, 0.5], [1.5, 1.5, 1.5]),
+            solid([0.0, 1.8, 0.0], [0.25, 2.0, 2.0]),
+            solid([3.75, 0.0, 0.0], [4.0, 2.0, 2.0]),
+        ]);
+        let ray = Ray::new(DVec3::new(-1.0, 1.2, 1.0), DVec3::X);
+        for mailboxes in [false, true] {
+            let options = GridOptions {
+                resolution: Some([4, 1, 1]),
+                mailboxes,
+                ..GridOptions::default()
+            };
+            let grid = UniformGrid::new(&scene, &options).unwrap();
+            let mut found = crate::strategy::NearestSoFar::new(TRange::FORWARD);
+            let _ = grid.search_fast(&grid.aids(), &ray, &mut found);
+            let hit = found.hit().map(|hit| (hit.object.0, hit.t));
+            assert_eq!(hit, Some((1, 2.25)));
+            let followed = crate::strategy::noted::noted(&grid, &ray).1;
+            assert_eq!(followed.map(|hit| (hit.object.0, hit.t)), hit);
+            assert_eq!(grid.bytes(), grid.grid().bytes());
+        }
+    }
+}

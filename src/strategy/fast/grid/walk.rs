@@ -247,6 +247,7 @@ mod tests {
         let numbers: Vec<_> = plain.iter().map(|step| cells.number(step.cell)).collect();
         let visited: Vec<_> = found.iter().map(|(number, _)| *number).collect();
         assert_eq!(visited, numbers, "{ray:?} {range:?}");
+        assert!(found.is_sorted_by(|a, b| a.1 <= b.1), "{found:?}: {ray:?}");
         for (step, (_, t_out)) in plain.iter().zip(found) {
             let off = (step.t_out - t_out).abs();
             let is_same = step.t_out == t_out || off <= 4.0 * f64::EPSILON * step.t_out.abs();
@@ -281,7 +282,7 @@ mod tests {
                 direction = (2.0 * direction).round();
             }
             if case % 11 == 0 {
-                direction *= [5e-324, 1e-310, 1e-200, 1e200][case as usize / 11 % 4];
+                direction *= [5e-324, 1e-310, 1e-200, 1e200, 8e307][case as usize / 11 % 5];
             }
             let mut range = TRange::FORWARD;
             if case % 3 == 0 {
@@ -314,5 +315,41 @@ mod tests {
                 .step()
                 .is_none()
         );
+    }
+
+    #[test]
+    fn a_range_that_begins_or_ends_beside_a_plane_is_walked_alike() {
+        let mut state = 0x2545_f491_4f6c_dd1d;
+        let mut number = || random(&mut state);
+        let mut steps = 0;
+        for case in 0..20_000_u32 {
+            let cells = CellPlanes::new(
+                DVec3::new(-1.1, -0.9, -1.3),
+                DVec3::new(3.0, 2.1, 1.0),
+                [2 + case % 7, 2 + case % 5, 2 + case % 3],
+            );
+            let ways = Ways::new(&cells);
+            let mut point = |size: f64| size * DVec3::new(number(), number(), number());
+            let ray = Ray::new(point(2.0), point(1.0));
+            // t of two planes, or a few numbers beside it
+            let t = |axis: usize, at: u32| {
+                let planes = cells.axis(axis);
+                let plane = planes[at as usize % planes.len()];
+                let t = (plane - ray.origin[axis]) / ray.direction[axis];
+                [t.next_down(), t, t.next_up(), t.next_up().next_up()][case as usize / 3 % 4]
+            };
+            let axis = case as usize % 3;
+            let (a, b) = (t(axis, case / 7), t((axis + 1) % 3, case / 5));
+            let range = TRange {
+                min: a.min(b).max(0.0),
+                max: if case % 2 == 0 {
+                    a.max(b)
+                } else {
+                    f64::INFINITY
+                },
+            };
+            steps += check(&cells, &ways, &ray, range).len();
+        }
+        assert!(10_000 < steps, "{steps}");
     }
 }
