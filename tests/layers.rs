@@ -1,7 +1,13 @@
 //! Data flows one way: a layer uses the layers before it and none after it.
 
+#[path = "layers/imports.rs"]
+mod imports;
+
+use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
+
+use imports::{Modules, circle, program};
 
 /// From pure mathematics to the command line.
 const LAYERS: [&str; 13] = [
@@ -18,6 +24,97 @@ const LAYERS: [&str; 13] = [
     "files",
     "book",
     "cli",
+];
+
+/// The layers that run anywhere: no file system, no clock, no threads of their own, no words of a command line.
+const CORE: [&str; 9] = [
+    "geometry",
+    "scene",
+    "structure",
+    "trace",
+    "strategy",
+    "tracer",
+    "explain",
+    "figure",
+    "lesson",
+];
+
+/// Every crate that a layer may name, and which layers may; the command line may name any.
+const CRATES_OF: [(&str, &[&str]); 18] = [
+    ("anstyle", &["explain"]),
+    ("font8x8", &["figure"]),
+    (
+        "glam",
+        &[
+            "geometry",
+            "scene",
+            "structure",
+            "trace",
+            "strategy",
+            "tracer",
+            "explain",
+            "figure",
+            "lesson",
+            "book",
+        ],
+    ),
+    ("itoa", &["trace"]),
+    (
+        "libm",
+        &["geometry", "scene", "structure", "explain", "figure"],
+    ),
+    ("memchr", &["scene", "trace"]),
+    ("pulldown_cmark", &["book"]),
+    ("rand", &["tracer"]),
+    ("rayon", &["parallel"]),
+    ("robust", &["geometry"]),
+    (
+        "schemars",
+        &["scene", "structure", "trace", "figure", "lesson"],
+    ),
+    (
+        "serde",
+        &["scene", "structure", "trace", "figure", "lesson", "book"],
+    ),
+    (
+        "serde_json",
+        &["scene", "trace", "explain", "figure", "lesson", "book"],
+    ),
+    ("serde_path_to_error", &["scene"]),
+    ("smol_str", &["scene", "trace"]),
+    ("strsim", &["scene"]),
+    ("svg", &["figure"]),
+    ("zmij", &["trace"]),
+];
+
+/// The crates of others.
+const CRATES: [&str; 26] = [
+    "anstream",
+    "anstyle",
+    "clap",
+    "clap_complete",
+    "ctrlc",
+    "font8x8",
+    "glam",
+    "indicatif",
+    "itoa",
+    "libm",
+    "memchr",
+    "png",
+    "pulldown_cmark",
+    "rand",
+    "rayon",
+    "resvg",
+    "robust",
+    "schemars",
+    "serde",
+    "serde_json",
+    "serde_path_to_error",
+    "signal_hook",
+    "smol_str",
+    "strsim",
+    "svg",
+    "zmij",
 ];
 
 /// What draws and explains sees events and the scene, never how they were made.
@@ -80,18 +177,97 @@ fn every_path_names_its_layer_and_no_import_points_up() {
     assert!(50 < checked, "only {checked} paths were found");
 }
 
+/// The crates of others that a source names.
+fn crates(text: &str) -> impl Iterator<Item = &str> {
+    CRATES.into_iter().filter(move |name| {
+        let path = format!("{name}::");
+        text.match_indices(&path).any(|(at, _)| {
+            let before = text[..at].chars().next_back();
+            !before.is_some_and(|c| c.is_alphanumeric() || c == '_' || c == ':')
+        })
+    })
+}
+
 #[test]
-fn geometry_uses_glam_and_the_exact_predicates_alone() {
-    for path in sources(&src().join("geometry")) {
-        let text = fs::read_to_string(&path).unwrap();
-        for line in text.lines().filter(|line| line.starts_with("use ")) {
-            let known = ["use crate::", "use glam::", "use robust::", "use std::"];
-            let allowed = known.iter().any(|start| line.starts_with(start));
-            assert!(allowed, "{}: {line}", path.display());
+fn each_layer_uses_its_own_crates_alone() {
+    let mut checked = 0;
+    for path in sources(&src()) {
+        let Some(layer) = layer_of(&path).map(|layer| LAYERS[layer]) else {
+            continue;
+        };
+        if layer == "cli" {
+            continue;
         }
-        for forbidden in ["println!", "eprintln!", "std::fs", "std::io"] {
-            assert!(!text.contains(forbidden), "{}: {forbidden}", path.display());
+        let text = program(&fs::read_to_string(&path).unwrap());
+        for used in crates(&text) {
+            let users = CRATES_OF.iter().find(|(name, _)| *name == used);
+            let may = users.is_some_and(|(_, layers)| layers.contains(&layer));
+            assert!(may, "{}: {used}", path.display());
+            checked += 1;
         }
+    }
+    assert!(200 < checked, "only {checked} crates were found");
+}
+
+#[test]
+fn the_core_has_no_clock_no_files_no_threads_and_no_words_of_a_command_line() {
+    // the variables of style sheets
+    let variables = [
+        "figure/sheet/look.rs",
+        "figure/sheet/canvas.rs",
+        "explain/render/html.rs",
+    ]
+    .map(|file| src().join(file));
+    let forbidden = [
+        "std::fs",
+        "std::env",
+        "std::process",
+        "std::thread",
+        "std::net",
+        "Instant",
+        "SystemTime",
+        "print!",
+        "println!",
+    ];
+    let verbs = [
+        "pixel", "trace", "render", "figure", "schema", "convert", "compare",
+    ];
+    for path in CORE.iter().flat_map(|layer| sources(&src().join(layer))) {
+        let text = program(&fs::read_to_string(&path).unwrap());
+        for word in forbidden {
+            assert!(!text.contains(word), "{}: {word}", path.display());
+        }
+        for literal in text.split('"').skip(1).step_by(2) {
+            let flag = literal.match_indices("--").any(|(at, _)| {
+                let next = literal[at + 2..].chars().next();
+                next.is_some_and(|c| c.is_ascii_lowercase())
+            });
+            assert!(
+                !flag || variables.contains(&path),
+                "{}: {literal:?}",
+                path.display()
+            );
+            for verb in verbs {
+                let command = format!("raystep {verb}");
+                assert!(!literal.contains(&command), "{}: {command}", path.display());
+            }
+        }
+    }
+}
+
+#[test]
+fn powers_and_angles_come_from_one_crate_on_every_system() {
+    let functions = [
+        "sin", "cos", "tan", "asin", "acos", "atan", "atan2", "sin_cos", "powf", "exp", "ln",
+        "log10", "log2", "cbrt", "hypot", "angle_to",
+    ];
+    for path in CORE.iter().flat_map(|layer| sources(&src().join(layer))) {
+        let text = program(&fs::read_to_string(&path).unwrap());
+        for function in functions {
+            let call = format!(".{function}(");
+            assert!(!text.contains(&call), "{}: {call}", path.display());
+        }
+        assert!(!text.contains("::from_angle"), "{}", path.display());
     }
 }
 
@@ -121,4 +297,54 @@ fn whether_somebody_follows_is_asked_by_one_line_and_by_those_who_must_make_even
     found.sort();
     let expected = expected.map(|(place, asked)| (place.to_owned(), asked));
     assert_eq!(found, expected);
+}
+
+#[test]
+fn no_circle_of_files_imports_from_each_other() {
+    let arrows = Modules::of_library(&src()).arrows();
+    let count: usize = arrows.values().map(BTreeSet::len).sum();
+    assert!(1000 < count, "only {count} imports were found");
+    if let Some(circle) = circle(&arrows) {
+        panic!("these import from each other:\n  {}", circle.join("\n  "));
+    }
+}
+
+#[test]
+fn architecture_draws_the_layers_and_their_folders() {
+    let text = fs::read_to_string(src().join("../ARCHITECTURE.md")).unwrap();
+    let picture = text
+        .split("```")
+        .find(|block| block.starts_with("\nsrc/\n"));
+    let mut drawn = Vec::new();
+    for line in picture
+        .unwrap()
+        .lines()
+        .filter(|line| line.starts_with("  "))
+    {
+        let mut words = line.split_whitespace();
+        let name = words.next().unwrap();
+        let folders: BTreeSet<String> = words
+            .filter_map(|word| word.strip_suffix('/'))
+            .map(str::to_owned)
+            .collect();
+        if let Some(layer) = name
+            .strip_suffix('/')
+            .or((name == "parallel.rs").then_some("parallel"))
+        {
+            drawn.push((layer.to_owned(), folders));
+        }
+    }
+    let expected = LAYERS.map(|layer| {
+        let mut folders = BTreeSet::new();
+        if let Ok(entries) = fs::read_dir(src().join(layer)) {
+            for entry in entries
+                .map(Result::unwrap)
+                .filter(|entry| entry.path().is_dir())
+            {
+                folders.insert(entry.file_name().into_string().unwrap());
+            }
+        }
+        (layer.to_owned(), folders)
+    });
+    assert_eq!(drawn, expected);
 }

@@ -207,7 +207,7 @@ impl fmt::Display for Error {
                 printable(file),
                 bytes >> 30
             ),
-            Self::Log(error @ LogError::Line { .. }) => write!(f, "{error} with 'raystep trace'"),
+            Self::Log(error @ (LogError::Line { .. } | LogError::NoLog { .. })) => write!(f, "{error} with 'raystep trace'"),
             Self::Log(error) => error.fmt(f),
             Self::Lesson(error) => {
                 error.fmt(f)?;

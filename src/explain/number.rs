@@ -186,6 +186,12 @@ fn trimmed(number: &str) -> &str {
     }
 }
 
+/// A number of things: `1 object`, `4 objects`.
+pub(in crate::explain) fn count(number: usize, thing: &str) -> String {
+    let plural = if number == 1 { "" } else { "s" };
+    format!("{number} {thing}{plural}")
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

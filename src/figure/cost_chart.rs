@@ -3,9 +3,9 @@
 use glam::DVec2;
 
 use crate::explain::{Comparison, grouped};
-use crate::figure::canvas::{Canvas, Rendition};
-use crate::figure::frame::Frame;
-use crate::figure::look::Look;
+use crate::figure::sheet::canvas::{Canvas, Rendition};
+use crate::figure::sheet::frame::Frame;
+use crate::figure::sheet::look::Look;
 use crate::figure::sheet::{Anchor, Sheet, Width};
 
 /// Between letters and what they belong to, in sizes of the letters.

@@ -5,7 +5,7 @@ use glam::{DVec2, DVec3};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::figure::frame::Frame;
+use crate::figure::sheet::frame::Frame;
 use crate::geometry::Ray;
 use crate::scene::Camera;
 

@@ -23,6 +23,7 @@ use robust::{Coord, Coord3D, orient2d, orient3d};
 
 use crate::geometry::corners::Corners;
 use crate::geometry::plane::FLAT;
+use crate::geometry::polygon::OUTLINE_ROUNDING;
 use crate::geometry::{Axis, Polygon, Ray};
 
 /// What decided about the edges of a polygon?
@@ -249,9 +250,6 @@ impl Polygon {
         }
     }
 }
-
-/// The some twenty roundings of t and of o + t·Δ, as a share of the numbers that enter (v).
-pub(crate) const OUTLINE_ROUNDING: f64 = 32.0 * f64::EPSILON;
 
 /// How many edges cross the half-line from p′ along u? `None` if p′ is not clear of the line of each by
 /// `margin`, four times its blur or more.

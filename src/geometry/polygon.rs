@@ -10,8 +10,10 @@ use glam::{DVec2, DVec3};
 
 use crate::geometry::corners::Corners;
 use crate::geometry::plane::FLAT;
-use crate::geometry::point_in_polygon::OUTLINE_ROUNDING;
 use crate::geometry::{Axis, Plane, PlaneTest, Ray, Sides, TRange};
+
+/// The some twenty roundings of t and of o + t·Δ, as a share of the numbers that enter (v).
+pub(crate) const OUTLINE_ROUNDING: f64 = 32.0 * f64::EPSILON;
 
 /// A polygon in space with everything that does not depend on a ray.
 #[derive(Clone, Debug, PartialEq)]

@@ -13,7 +13,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Condvar, Mutex, MutexGuard, PoisonError};
 
 use crate::parallel;
-use crate::tracer::Stopped;
+use crate::tracer::stopped::Stopped;
 
 /// How many bytes a tile hands over at once: a thousand lines of a log, which a second-level cache holds.
 const PIECE: usize = 1 << 18;

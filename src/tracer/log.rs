@@ -9,9 +9,11 @@ use crate::trace::{
     EventWriter, Filter, Kinds, LogNames, Record, Recorder, Recording, Region, Settings, Sink,
     write_log_head,
 };
+use crate::tracer::eye::pixel::trace_pixel;
 use crate::tracer::in_order::{Ended, InOrder, Tile};
-use crate::tracer::light_pass::PIECE as PATHS;
-use crate::tracer::{Stopped, Tracer, trace_pixel};
+use crate::tracer::light::all_paths::PIECE as PATHS;
+use crate::tracer::stopped::Stopped;
+use crate::tracer::tracer::Tracer;
 
 /// What of the trace is written.
 #[derive(Clone, Debug)]

@@ -4,11 +4,11 @@
 //!
 //! | kind | [`Transport`](crate::trace::Transport) | file |
 //! |---|---|---|
-//! | backward: from the eye alone | `Backward` | `backward.rs` |
-//! | forward: from the lights alone | `Forward` | `forward.rs` |
-//! | hybrid: from the eye, with rays to the lights | `HybridLight` | `hybrid_light.rs` |
-//! | hybrid: light stored on surfaces, then gathered | `HybridStored` | `hybrid_stored.rs` |
-//! | hybrid: light and eye connected by lines | `HybridConnected` | `hybrid_connected.rs` |
+//! | backward: from the eye alone | `Backward` | `eye/backward.rs` |
+//! | forward: from the lights alone | `Forward` | `light/forward.rs` |
+//! | hybrid: from the eye, with rays to the lights | `HybridLight` | `eye/hybrid_light.rs` |
+//! | hybrid: light stored on surfaces, then gathered | `HybridStored` | `light/hybrid_stored.rs` |
+//! | hybrid: light and eye connected by lines | `HybridConnected` | `light/hybrid_connected.rs` |
 //!
 //! The three that follow light share its paths: `light_path.rs` (from a lamp), `walk.rs` (from surface to surface),
 //! `chance.rs` (the random numbers), `light_pass.rs` (all paths, over threads).
@@ -60,44 +60,29 @@
 //!
 //! The table is held by `tests/transports/effects.rs`.
 
-mod backward;
-mod balance_heuristic;
-mod chance;
 mod epsilon;
-mod flat_face;
-mod forward;
-mod heat;
-mod hybrid_connected;
-mod hybrid_light;
-mod hybrid_stored;
-mod illumination_map;
+mod eye;
 mod in_order;
-mod light_check;
-mod light_error;
-mod light_pass;
-mod light_path;
+mod light;
 mod log;
-mod path_vertex;
-mod picture;
-mod pixel;
 mod ray_limit;
 pub mod simple;
 mod stopped;
 mod surface;
-mod visibility;
-mod walk;
+#[expect(
+    clippy::module_inception,
+    reason = "the file is found by the name of its idea"
+)]
+mod tracer;
 
-pub use backward::Tracer;
 pub use epsilon::{EPSILON, start_epsilon};
-pub use heat::{Heat, HeatLine, HeatOf, heat_values};
-pub use hybrid_stored::{StoredLight, StoredPhoton};
-pub use light_check::check_light;
-pub use light_error::{LightError, LightSetting};
-pub use light_pass::{LightPass, paths_behind};
+pub use eye::{Heat, HeatLine, HeatOf, Picture, eye_samples, heat_values, render, trace_pixel};
+pub use light::{
+    LightError, LightPass, LightSetting, MOST_SURFACES, StoredLight, StoredPhoton, check_light,
+    paths_behind,
+};
 pub use log::{LogOptions, LogStopped, LoggedPaths, write_log};
-pub use picture::{Picture, render};
-pub use pixel::{eye_samples, trace_pixel};
 pub use ray_limit::MAX_RAYS;
 pub use stopped::Stopped;
 pub use surface::Surface;
-pub use walk::MOST_SURFACES;
+pub use tracer::Tracer;

@@ -6,7 +6,7 @@
 use std::ops::ControlFlow;
 
 use crate::trace::{Event, Recorder};
-use crate::tracer::Stopped;
+use crate::tracer::stopped::Stopped;
 
 /// How many rays a pixel may take unless another limit is asked for: about a second's work. A pixel of a lesson's
 /// scene takes at most some hundred.

@@ -29,7 +29,9 @@ use crate::scene::{
     Camera, Light, Material, Normals, PhongTerm, Primitive, PrimitiveId, Scene, Shape,
 };
 use crate::strategy::Hit;
-use crate::tracer::{EPSILON, Picture, Surface};
+use crate::tracer::epsilon::EPSILON;
+use crate::tracer::eye::picture::Picture;
+use crate::tracer::surface::Surface;
 
 /// Traces a picture of a scene: "for (each scan line in image) for (each pixel in scan line)".
 ///

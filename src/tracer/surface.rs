@@ -4,9 +4,8 @@ use glam::DVec3;
 
 use crate::geometry::{Ray, Refraction, TRange, refract};
 use crate::scene::{Material, Normals, PrimitiveId, Scene};
-use crate::strategy::{Hit, Strategy};
+use crate::strategy::Hit;
 use crate::trace::{Event, Purpose, RayStart, Recorder};
-use crate::tracer::Tracer;
 use crate::tracer::epsilon::start_epsilon;
 
 /// A point on a surface where a ray hits it, with what shading and spawned rays need.
@@ -30,15 +29,6 @@ pub struct Surface<'a> {
     pub depth: u32,
     /// ε: the smallest t that counts for rays that start here.
     pub epsilon: f64,
-}
-
-impl<S: Strategy> Tracer<'_, S> {
-    /// The surface that a ray has met.
-    pub(super) fn surface(&self, start: &RayStart, hit: Hit) -> Surface<'_> {
-        let point = start.ray.at(hit.t);
-        let normals = self.scene.primitive(hit.object).shape.normals(point);
-        Surface::new(self.scene, &start.ray, start.depth, hit, normals)
-    }
 }
 
 impl<'a> Surface<'a> {

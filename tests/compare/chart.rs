@@ -228,7 +228,7 @@ fn one_file_alone_names_the_crate_that_writes_svg() {
         let names = text.lines().any(|line| line.starts_with("use svg::"));
         assert_eq!(
             names,
-            path.ends_with("figure/canvas.rs"),
+            path.ends_with("figure/sheet/canvas.rs"),
             "{}",
             path.display()
         );

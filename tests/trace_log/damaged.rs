@@ -74,8 +74,7 @@ fn the_log_is_good_before_it_is_damaged() {
 
 #[test]
 fn what_is_no_log_is_told_so() {
-    let no_log = "a.jsonl: this is no log: the first line has no \"kind\":\"trace\"\n  make one with \
-                  'raystep trace'";
+    let no_log = "a.jsonl: this is no log: the first line has no \"kind\":\"trace\"\n  make one";
     refused(b"", no_log);
     refused(b"\n", no_log);
     refused(b"{\"kind\":\"object\",\"name\":\"ball\"}\n", no_log);

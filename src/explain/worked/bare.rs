@@ -3,25 +3,13 @@
 //! What a log holds of a bound is what decided. A reader sees the bound itself, from D_min and D_max in the log, or
 //! from the volume built again from the scene in it.
 
-use std::cell::OnceCell;
-
 use crate::explain::worked::context::Context;
 use crate::explain::worked::steps::Course;
 use crate::geometry::{MOST_SLABS, Ray};
 use crate::structure::{
-    BareGrid, Hierarchy, Inside, RaySlabs, SlabChoice, SlabSet, SlabStep, Volume, VolumeKind,
-    VolumeRay,
+    Hierarchy, Inside, RaySlabs, SlabChoice, SlabSet, SlabStep, Volume, VolumeKind, VolumeRay,
 };
 use crate::trace::{BoundTest, Bounded, Event, SlabTest, StrategyName};
-
-/// What is built again from the scene, once it is asked for.
-#[derive(Debug, Default)]
-pub(super) struct BuiltAgain {
-    /// The hierarchy, where the log says too little of its bounds.
-    pub(super) hierarchy: OnceCell<Hierarchy<MOST_SLABS>>,
-    /// The grid without room.
-    pub(super) grid: OnceCell<BareGrid>,
-}
 
 impl Course {
     /// Adds a step of the search to what is known of the bound that is tested.

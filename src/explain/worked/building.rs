@@ -2,12 +2,13 @@
 
 use std::cell::OnceCell;
 
+use crate::explain::number::count;
 use crate::explain::part::Part;
 use crate::explain::worked::context::Context;
 use crate::explain::worked::extent::Extent;
 use crate::explain::worked::leaves::Leaves;
 use crate::explain::worked::pen::Pen;
-use crate::explain::worked::{cells, count, nodes};
+use crate::explain::worked::{cells, nodes};
 use crate::trace::Event;
 
 /// The number of steps that are shown, unless all are asked for: more lines than a screen has would hide the pixel.

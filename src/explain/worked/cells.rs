@@ -1,10 +1,10 @@
 //! Cells of a uniform grid: the traversal by a ray, and how the lists were filled.
 
+use crate::explain::number::count;
 use crate::explain::number::{Digits, cell_name};
 use crate::explain::page::Tone;
 use crate::explain::part::Part;
 use crate::explain::worked::context::Context;
-use crate::explain::worked::count;
 use crate::explain::worked::pen::Pen;
 use crate::explain::worked::steps::Course;
 use crate::scene::PrimitiveId;

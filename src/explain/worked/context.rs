@@ -5,10 +5,10 @@ use std::collections::BTreeMap;
 use std::ops::Range;
 
 use crate::explain::printable;
-use crate::explain::worked::WorkedOptions;
-use crate::explain::worked::bare::BuiltAgain;
+use crate::explain::worked::built_again::BuiltAgain;
 use crate::explain::worked::extent::Extent;
-use crate::explain::worked::light_path::KnownPath;
+use crate::explain::worked::known_path::KnownPath;
+use crate::explain::worked::options::WorkedOptions;
 use crate::scene::{PrimitiveId, Scene};
 use crate::trace::{Item, Kind, RayTree, Record, Settings};
 

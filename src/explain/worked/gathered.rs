@@ -7,10 +7,10 @@ use std::f64::consts::PI;
 use glam::DVec3;
 
 use crate::explain::number::Digits;
+use crate::explain::number::count;
 use crate::explain::page::Tone;
 use crate::explain::part::Part;
 use crate::explain::worked::context::Context;
-use crate::explain::worked::count;
 use crate::explain::worked::extent::Extent;
 use crate::explain::worked::pen::Pen;
 use crate::explain::worked::steps::Noted;

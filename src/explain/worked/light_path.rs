@@ -1,66 +1,23 @@
 //! The paths of light that led to a pixel: each in a few lines, or in full.
 
-use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 
-use glam::DVec3;
-
+use crate::explain::number::count;
 use crate::explain::number::{Digits, grouped};
 use crate::explain::page::Tone;
 use crate::explain::part::Part;
 use crate::explain::worked::context::Context;
-use crate::explain::worked::count;
 use crate::explain::worked::extent::Extent;
+use crate::explain::worked::joined::joined;
+use crate::explain::worked::known_path::KnownPath;
 use crate::explain::worked::pen::Pen;
 use crate::explain::worked::photon::{Carries, channels};
 use crate::explain::worked::{connection, ray, seen, vertex};
 use crate::scene::Emission;
-use crate::trace::{
-    Arrival, Connection, Event, Item, Kind, Outcome, PathStart, Photon, PhotonFate, Purpose,
-    RayNode, Record,
-};
+use crate::trace::{Connection, Event, Item, Kind, Outcome, PhotonFate, RayNode, Record};
 
 /// The number of paths that are written; the others are counted, unless all are asked for: more would hide the pixel.
 const TOLD: usize = 8;
-
-/// What is known of a path of light in every part of the text.
-#[derive(Clone, Debug, Default)]
-pub(super) struct KnownPath {
-    pub(super) start: Option<PathStart>,
-    /// The photon at each of its surfaces, in order.
-    pub(super) met: Vec<Photon>,
-    /// What of it arrived at the eye.
-    pub(super) arrivals: Vec<Arrival>,
-    /// Lines from it to the eye.
-    pub(super) lines: Vec<Connection>,
-    /// The numbers of its surfaces where it was stored and the pixel has gathered it.
-    pub(super) gathered: BTreeSet<u32>,
-}
-
-impl KnownPath {
-    /// All paths in the records.
-    pub(super) fn all(records: &[Record]) -> BTreeMap<u32, Self> {
-        let mut paths: BTreeMap<u32, Self> = BTreeMap::new();
-        for record in records {
-            let Some(path) = record.path else {
-                if let Event::Nearby(photon) = record.event {
-                    let known = paths.entry(photon.path).or_default();
-                    known.gathered.insert(photon.surface);
-                }
-                continue;
-            };
-            let known = paths.entry(path).or_default();
-            match record.event {
-                Event::Path(start) => known.start = Some(start),
-                Event::Photon(photon) => known.met.push(photon),
-                Event::Arrival(arrival) => known.arrivals.push(arrival),
-                Event::Connection(line) => known.lines.push(line),
-                _ => {}
-            }
-        }
-        paths
-    }
-}
 
 /// The kinds of event that a path in brief has words for.
 const IN_BRIEF: [Kind; 6] = [
@@ -120,7 +77,7 @@ fn light_path(context: &Context, page: &mut Pen) {
         let mut surface = 0;
         let mut rest = context.tree.items.as_slice();
         while let Some((first, after)) = rest.split_first() {
-            if let Some((joined, length)) = connection::joined(context, rest) {
+            if let Some((joined, length)) = joined(context, rest) {
                 match joined.connection {
                     Some(line) if !context.options.all && line.pixel != context.pixel => {
                         let items = rest[..length].iter();
@@ -260,28 +217,4 @@ fn line_elsewhere(context: &Context, line: &Connection, page: &mut Pen) {
     };
     let text = format!(": none, the line from {} to the eye {end}", from.name);
     page.headed_line(Tone::Aside, Part::Contribution, text);
-}
-
-/// The power that leaves the scene with a leg of a path of light that hits no surface. It is written below its ray.
-pub(super) fn leaves_with(context: &Context, ray: &RayNode) -> Option<String> {
-    let path = context.records.first()?.path?;
-    let start = ray.start.filter(|start| start.purpose == Purpose::Light)?;
-    let power = context
-        .paths
-        .get(&path)?
-        .carried_after(start.depth.checked_sub(1)?)?;
-    Some(format!(
-        ", {} leaves the scene",
-        Carries::Power.amount(power)
-    ))
-}
-
-impl KnownPath {
-    /// What the path carries after its first `surfaces` surfaces.
-    fn carried_after(&self, surfaces: u32) -> Option<DVec3> {
-        match (surfaces as usize).checked_sub(1) {
-            None => self.start.map(|start| start.power),
-            Some(before) => self.met.get(before).map(Photon::leaving),
-        }
-    }
 }

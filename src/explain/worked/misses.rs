@@ -1,7 +1,7 @@
 //! Many misses in a row, summed up by their reason.
 
+use crate::explain::number::count;
 use crate::explain::worked::context::Context;
-use crate::explain::worked::count;
 use crate::explain::worked::pen::Pen;
 use crate::explain::worked::steps::{Course, Step, Test, Told};
 use crate::geometry::{Fate, PlaneVerdict, Roots};

@@ -9,15 +9,19 @@ mod aligned;
 mod arrival;
 mod bare;
 mod building;
+mod built_again;
 mod cells;
 mod connection;
 mod context;
 mod extent;
 mod gathered;
+mod joined;
+mod known_path;
 mod leaves;
 mod light_path;
 mod misses;
 mod nodes;
+mod options;
 mod pen;
 mod photon;
 mod pixel;
@@ -36,34 +40,15 @@ mod vertex;
 mod volumes;
 mod weight;
 
+pub use options::WorkedOptions;
+
 use crate::explain::page::Page;
-use crate::explain::worked::bare::BuiltAgain;
+use crate::explain::worked::built_again::BuiltAgain;
 use crate::explain::worked::context::Context;
-use crate::explain::worked::light_path::KnownPath;
+use crate::explain::worked::known_path::KnownPath;
 use crate::explain::worked::pen::Pen;
 use crate::scene::Scene;
-use crate::trace::{Kinds, Record, Settings};
-
-/// What of the working is shown.
-#[derive(Clone, Copy, Debug)]
-pub struct WorkedOptions {
-    /// The kinds of event.
-    pub kinds: Kinds,
-    /// One ray alone.
-    pub ray: Option<u32>,
-    /// Every test in full, also where many miss.
-    pub all: bool,
-}
-
-impl Default for WorkedOptions {
-    fn default() -> Self {
-        Self {
-            kinds: Kinds::ALL,
-            ray: None,
-            all: false,
-        }
-    }
-}
+use crate::trace::{Record, Settings};
 
 /// The worked solution of a pixel, from its records alone; `scene` says what the objects are.
 ///
@@ -100,10 +85,4 @@ pub fn worked_solution(
 fn length(records: &[Record], holds: impl Fn(&Record) -> bool) -> usize {
     let first = records.iter().position(|record| !holds(record));
     first.unwrap_or(records.len())
-}
-
-/// A number of things: `1 object`, `4 objects`.
-fn count(number: usize, thing: &str) -> String {
-    let plural = if number == 1 { "" } else { "s" };
-    format!("{number} {thing}{plural}")
 }

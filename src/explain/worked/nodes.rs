@@ -1,16 +1,15 @@
 //! Nodes of a hierarchy, the heap in which they wait, and how the hierarchy was built.
 
 use crate::explain::number::Digits;
+use crate::explain::number::count;
 use crate::explain::page::Tone;
 use crate::explain::part::Part;
 use crate::explain::worked::context::Context;
-use crate::explain::worked::count;
 use crate::explain::worked::leaves::Leaves;
 use crate::explain::worked::pen::Pen;
-use crate::explain::worked::search::refused_node;
 use crate::explain::worked::steps::Course;
 use crate::structure::MergeStep;
-use crate::trace::{NodeOutcome, NodeVisit, QueueAction, QueueStep};
+use crate::trace::{BoundOutcome, Bounded, Event, NodeOutcome, NodeVisit, QueueAction, QueueStep};
 
 /// The verdict on a node. One that was rejected a line before needs no second line.
 pub(super) fn node(context: &Context, visit: &NodeVisit, course: &Course, page: &mut Pen) {
@@ -92,4 +91,16 @@ pub(super) fn merge(context: &Context, step: &MergeStep, leaves: &Leaves, page: 
         d.number(b_max),
         d.number(d_max)
     ));
+}
+
+/// The node that this step rejects, if it rejects one.
+pub(super) fn refused_node(step: Option<&Event>) -> Option<u32> {
+    match step {
+        Some(Event::BoundTest(test)) if test.outcome != BoundOutcome::Hit => match test.of {
+            Bounded::Node(node) => Some(node),
+            Bounded::Object(_) => None,
+        },
+        Some(Event::Queue(step)) if step.action == QueueAction::Stop => Some(step.node),
+        _ => None,
+    }
 }

@@ -13,7 +13,7 @@ use crate::explain::worked::context::Context;
 use crate::explain::worked::pen::Pen;
 use crate::explain::worked::steps::Course;
 use crate::explain::worked::vertex;
-use crate::trace::{Kind, Photon, PhotonFate, Purpose, RayStart, Stored};
+use crate::trace::{Kind, Photon, PhotonFate, Purpose, RayNode, RayStart, Stored};
 
 /// The channels of a colour.
 const CHANNELS: [&str; 3] = ["red", "green", "blue"];
@@ -200,6 +200,20 @@ pub(super) fn channels(photon: &Photon) -> String {
             ends.join(" and ")
         ),
     }
+}
+
+/// The power that leaves the scene with a leg of a path of light that hits no surface. It is written below its ray.
+pub(super) fn leaves_with(context: &Context, ray: &RayNode) -> Option<String> {
+    let path = context.records.first()?.path?;
+    let start = ray.start.filter(|start| start.purpose == Purpose::Light)?;
+    let power = context
+        .paths
+        .get(&path)?
+        .carried_after(start.depth.checked_sub(1)?)?;
+    Some(format!(
+        ", {} leaves the scene",
+        Carries::Power.amount(power)
+    ))
 }
 
 #[cfg(test)]

@@ -2,11 +2,12 @@
 
 use glam::DVec3;
 
+use crate::explain::number::count;
 use crate::explain::number::{Digits, grouped};
 use crate::explain::part::Part;
 use crate::explain::worked::context::Context;
-use crate::explain::worked::count;
 use crate::explain::worked::extent::Extent;
+use crate::explain::worked::joined::joined;
 use crate::explain::worked::pen::Pen;
 use crate::explain::worked::{connection, ray, seen, vertex};
 use crate::trace::{Event, Item, Kind, Photon, PixelColour, PixelSample, Through, Transport};
@@ -30,7 +31,7 @@ pub(super) fn pixel(context: &Context, page: &mut Pen) {
     let mut brought = Brought::default();
     let mut rest = context.tree.items.as_slice();
     while let Some((first, after)) = rest.split_first() {
-        if let Some((joined, length)) = connection::joined(context, rest) {
+        if let Some((joined, length)) = joined(context, rest) {
             connection::connect(context, &joined, &brought.eye, page);
             if let (Some(line), Some(sum)) = (joined.connection, brought.paths.last_mut()) {
                 *sum += context.all_pixels() * line.contribution;
@@ -76,7 +77,7 @@ pub(super) fn one_ray(context: &Context, id: u32, page: &mut Pen) -> Option<Exte
     for (at, item) in items.iter().enumerate() {
         match *item {
             Item::Ray(place) if place == wanted => {
-                if let Some((joined, length)) = connection::joined(context, &items[at..]) {
+                if let Some((joined, length)) = joined(context, &items[at..]) {
                     connection::connect(context, &joined, &eye, page);
                     let items = &items[at..at + length];
                     return Extent::around(items.iter().map(|item| context.of_item(item)));

@@ -1,10 +1,10 @@
 //! The polygon: its plane, equations (iv) and (v), and whether p lies inside (Fig. 15.57).
 
 use crate::explain::number::Digits;
+use crate::explain::number::count;
 use crate::explain::page::Tone;
 use crate::explain::part::Part;
 use crate::explain::worked::context::Context;
-use crate::explain::worked::count;
 use crate::explain::worked::extent::Extent;
 use crate::explain::worked::pen::Pen;
 use crate::explain::worked::quadratic;

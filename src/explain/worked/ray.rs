@@ -9,8 +9,8 @@ use crate::explain::worked::misses::{FOLDED_FROM, LONGEST_UNFOLDED};
 use crate::explain::worked::pen::Pen;
 use crate::explain::worked::steps::{Course, Noted, Step, Test, Told, slab_rays, steps};
 use crate::explain::worked::{
-    aligned, arrival, gathered, light_path, misses, photon, polygon, quadratic, ray_start, search,
-    seen, shade, slabs, vertex,
+    aligned, arrival, gathered, misses, photon, polygon, quadratic, ray_start, search, seen, shade,
+    slabs, vertex,
 };
 use crate::scene::PrimitiveId;
 use crate::trace::{Event, Kind, Nearest, Outcome, Purpose, RayEnd, RayNode, RayStart};
@@ -366,7 +366,7 @@ fn ray_end(context: &Context, end: &RayEnd, course: &Course, page: &mut Pen) {
         }
         _ => {
             let leaves = match end.outcome {
-                Outcome::Miss => light_path::leaves_with(context, &context.tree.rays[course.place]),
+                Outcome::Miss => photon::leaves_with(context, &context.tree.rays[course.place]),
                 _ => None,
             };
             let (part, text) = outcome(context, end, course.start);

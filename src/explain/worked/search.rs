@@ -5,7 +5,7 @@ use crate::explain::worked::context::Context;
 use crate::explain::worked::pen::Pen;
 use crate::explain::worked::steps::{Course, Step, Told};
 use crate::explain::worked::{aligned, cells, nodes, volumes};
-use crate::trace::{BoundOutcome, Bounded, Event, Kind, QueueAction};
+use crate::trace::{Event, Kind};
 
 /// With at most this many slab tests on a ray each is worked out; with more only if all are asked for.
 const SLABS_IN_FULL: usize = 24;
@@ -61,16 +61,4 @@ fn search(context: &Context, event: &Event, course: &Course, page: &mut Pen) {
 pub(super) fn slabs_in_full(context: &Context, steps: &[Told]) -> bool {
     let is_slab = |told: &&Told| matches!(told.step, Step::Search(Event::SlabTest(_)));
     context.options.all || steps.iter().filter(is_slab).count() <= SLABS_IN_FULL
-}
-
-/// The node that this step rejects, if it rejects one.
-pub(super) fn refused_node(step: Option<&Event>) -> Option<u32> {
-    match step {
-        Some(Event::BoundTest(test)) if test.outcome != BoundOutcome::Hit => match test.of {
-            Bounded::Node(node) => Some(node),
-            Bounded::Object(_) => None,
-        },
-        Some(Event::Queue(step)) if step.action == QueueAction::Stop => Some(step.node),
-        _ => None,
-    }
 }

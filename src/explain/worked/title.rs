@@ -1,10 +1,10 @@
 //! The title of a solution: which pixel of which scene, and how it was traced.
 
+use crate::explain::number::count;
 use crate::explain::number::{Digits, grouped};
 use crate::explain::page::Tone;
 use crate::explain::printable;
 use crate::explain::worked::context::Context;
-use crate::explain::worked::count;
 use crate::explain::worked::pen::Pen;
 use crate::trace::{Settings, StrategyName, Transport};
 

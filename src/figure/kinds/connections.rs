@@ -3,15 +3,15 @@
 
 use glam::{DVec2, DVec3};
 
-use crate::figure::canvas::quantity;
-use crate::figure::drawing::Figure;
 use crate::figure::error::FigureError;
-use crate::figure::frame::Frame;
-use crate::figure::kinds::Kind;
-use crate::figure::look::Look;
-use crate::figure::scenery;
+use crate::figure::kind::Kind;
+use crate::figure::parts::scenery;
 use crate::figure::sheet::Sheet;
+use crate::figure::sheet::canvas::quantity;
+use crate::figure::sheet::frame::Frame;
+use crate::figure::sheet::look::Look;
 use crate::figure::spec::Layer;
+use crate::figure::subject::Figure;
 use crate::figure::traced::Section;
 use crate::figure::view::Stage;
 use crate::scene::PrimitiveId;

@@ -3,11 +3,11 @@
 
 use crate::explain::{Compared, Cost};
 use crate::figure::cost_chart::{CostRow, cost_bars, height};
-use crate::figure::drawing::{Figure, records_in};
 use crate::figure::error::FigureError;
-use crate::figure::frame::Frame;
-use crate::figure::kinds::Kind;
+use crate::figure::kind::Kind;
 use crate::figure::sheet::Sheet;
+use crate::figure::sheet::frame::Frame;
+use crate::figure::subject::{Figure, records_in};
 use crate::figure::traced::Traced;
 use crate::trace::{Counts, Record, Recorder};
 

@@ -3,18 +3,18 @@
 
 use glam::{DVec2, DVec3};
 
-use crate::figure::canvas::quantity;
-use crate::figure::drawing::Figure;
 use crate::figure::error::FigureError;
-use crate::figure::frame::Frame;
-use crate::figure::gathering::Gathering;
-use crate::figure::kinds::Kind;
-use crate::figure::light_path::LightPath;
-use crate::figure::look::Look;
-use crate::figure::outline::{self, Outline, Rim};
-use crate::figure::scenery;
+use crate::figure::kind::Kind;
+use crate::figure::parts::gathering::Gathering;
+use crate::figure::parts::light_path::LightPath;
+use crate::figure::parts::outline::{self, Outline, Rim};
+use crate::figure::parts::scenery;
 use crate::figure::sheet::Sheet;
+use crate::figure::sheet::canvas::quantity;
+use crate::figure::sheet::frame::Frame;
+use crate::figure::sheet::look::Look;
 use crate::figure::spec::Layer;
+use crate::figure::subject::Figure;
 use crate::figure::view::Stage;
 
 pub(super) const KIND: Kind = Kind {

@@ -3,18 +3,18 @@
 //! An object in several cells is tested in the first of them; a hit beyond its cell does not end the walk (erratum 6).
 
 use crate::explain::cell_name;
-use crate::figure::canvas::quantity;
-use crate::figure::drawing::{DrawnRay, Figure};
 use crate::figure::error::FigureError;
-use crate::figure::frame::Frame;
-use crate::figure::kinds::Kind;
-use crate::figure::kinds::plan::{self, Plan};
-use crate::figure::kinds::walk::{Listed, Visit, Walk};
-use crate::figure::look::{Dash, Look};
-use crate::figure::outline::{self, Outline};
-use crate::figure::scenery;
+use crate::figure::kind::Kind;
+use crate::figure::parts::outline::{self, Outline};
+use crate::figure::parts::plan::{self, Plan};
+use crate::figure::parts::scenery;
+use crate::figure::parts::walk::{Listed, Visit, Walk};
 use crate::figure::sheet::Sheet;
+use crate::figure::sheet::canvas::quantity;
+use crate::figure::sheet::frame::Frame;
+use crate::figure::sheet::look::{Dash, Look};
 use crate::figure::spec::Layer;
+use crate::figure::subject::{DrawnRay, Figure};
 use crate::figure::view::Stage;
 use crate::scene::PrimitiveId;
 use crate::trace::WalkEnd;

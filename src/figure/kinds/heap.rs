@@ -4,18 +4,18 @@
 
 use glam::DVec2;
 
-use crate::figure::bound;
-use crate::figure::canvas::quantity;
-use crate::figure::drawing::Figure;
 use crate::figure::error::FigureError;
-use crate::figure::frame::Frame;
-use crate::figure::kinds::Kind;
-use crate::figure::look::Look;
-use crate::figure::scenery;
+use crate::figure::kind::Kind;
+use crate::figure::parts::bound;
+use crate::figure::parts::scenery;
+use crate::figure::parts::tree::Tree;
+use crate::figure::parts::visits::{Fate, tested};
+use crate::figure::sheet::canvas::quantity;
+use crate::figure::sheet::frame::Frame;
+use crate::figure::sheet::look::Look;
 use crate::figure::sheet::{Anchor, Sheet};
 use crate::figure::spec::Layer;
-use crate::figure::tree::Tree;
-use crate::figure::visits::{Fate, tested};
+use crate::figure::subject::Figure;
 use crate::scene::PrimitiveId;
 use crate::trace::{Event, QueueAction, QueueStep, Record};
 

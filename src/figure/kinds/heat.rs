@@ -3,15 +3,15 @@
 use glam::DVec2;
 
 use crate::explain::{Compared, Cost, grouped};
-use crate::figure::drawing::Figure;
 use crate::figure::error::FigureError;
-use crate::figure::frame::Frame;
 use crate::figure::heat_map::colour;
-use crate::figure::kinds::Kind;
-use crate::figure::picture;
-use crate::figure::scale_bar;
+use crate::figure::kind::Kind;
+use crate::figure::parts::picture;
+use crate::figure::parts::scale_bar;
+use crate::figure::sheet::frame::Frame;
 use crate::figure::sheet::{Anchor, Sheet};
 use crate::figure::spec::Layer;
+use crate::figure::subject::Figure;
 use crate::figure::traced::Traced;
 use crate::trace::Event;
 

@@ -5,18 +5,18 @@
 
 use glam::DVec2;
 
-use crate::figure::bound;
-use crate::figure::drawing::{DrawnRay, Figure};
 use crate::figure::error::FigureError;
-use crate::figure::frame::Frame;
-use crate::figure::kinds::Kind;
-use crate::figure::look::Look;
-use crate::figure::outline;
-use crate::figure::scenery;
+use crate::figure::kind::Kind;
+use crate::figure::parts::bound;
+use crate::figure::parts::outline;
+use crate::figure::parts::scenery;
+use crate::figure::parts::tree::Tree;
+use crate::figure::parts::visits::{Fate, Visits, met};
+use crate::figure::sheet::frame::Frame;
+use crate::figure::sheet::look::Look;
 use crate::figure::sheet::{Anchor, Sheet};
 use crate::figure::spec::Layer;
-use crate::figure::tree::Tree;
-use crate::figure::visits::{Fate, Visits, met};
+use crate::figure::subject::{DrawnRay, Figure};
 use crate::geometry::MOST_SLABS;
 use crate::structure::Hierarchy;
 
@@ -294,7 +294,7 @@ fn mark(sheet: &mut Sheet, fate: Fate, parent: Option<DVec2>, at: DVec2, radius:
         Fate::Rejected => sheet.cross(look, middle),
         Fate::Pruned => {
             let look = Look {
-                dash: crate::figure::look::Dash::Solid,
+                dash: crate::figure::sheet::look::Dash::Solid,
                 ..look
             };
             let across = 0.6 * radius * along.perp();

@@ -6,19 +6,19 @@
 
 use glam::DVec2;
 
-use crate::figure::bound::{self, Slab};
-use crate::figure::canvas::quantity;
-use crate::figure::drawing::Figure;
 use crate::figure::error::FigureError;
-use crate::figure::frame::Frame;
-use crate::figure::kinds::Kind;
+use crate::figure::kind::Kind;
 use crate::figure::kinds::slabs::{SlabTests, bounded};
-use crate::figure::look::Look;
-use crate::figure::outline;
-use crate::figure::scenery;
+use crate::figure::parts::bound::{self, Slab};
+use crate::figure::parts::outline;
+use crate::figure::parts::scenery;
+use crate::figure::parts::slab_rows::{Axis, COMMON, OF_SLAB};
 use crate::figure::sheet::Sheet;
-use crate::figure::slab_rows::{Axis, COMMON, OF_SLAB};
+use crate::figure::sheet::canvas::quantity;
+use crate::figure::sheet::frame::Frame;
+use crate::figure::sheet::look::Look;
 use crate::figure::spec::Layer;
+use crate::figure::subject::Figure;
 use crate::figure::view::{Projection, Stage};
 use crate::geometry::{Ray, SlabInterval};
 use crate::structure::SlabOutcome;

@@ -3,18 +3,18 @@
 
 use glam::{DVec2, DVec3};
 
-use crate::figure::canvas::quantity;
-use crate::figure::drawing::Figure;
 use crate::figure::error::FigureError;
-use crate::figure::frame::Frame;
-use crate::figure::gathering::Gathering;
 use crate::figure::heat_map::colour;
-use crate::figure::kinds::Kind;
-use crate::figure::look::Look;
-use crate::figure::picture;
-use crate::figure::scale_bar;
+use crate::figure::kind::Kind;
+use crate::figure::parts::gathering::Gathering;
+use crate::figure::parts::picture;
+use crate::figure::parts::scale_bar;
 use crate::figure::sheet::Sheet;
+use crate::figure::sheet::canvas::quantity;
+use crate::figure::sheet::frame::Frame;
+use crate::figure::sheet::look::Look;
 use crate::figure::spec::Layer;
+use crate::figure::subject::Figure;
 use crate::figure::traced::Traced;
 use crate::trace::Event;
 

@@ -5,16 +5,16 @@
 
 use glam::{DVec2, DVec3};
 
-use crate::figure::canvas::{coordinates, quantity};
-use crate::figure::drawing::Figure;
 use crate::figure::error::FigureError;
-use crate::figure::frame::Frame;
-use crate::figure::kinds::Kind;
-use crate::figure::look::Look;
-use crate::figure::outline::{Outline, Rim, draw as draw_outline, hull, rim};
-use crate::figure::scenery;
+use crate::figure::kind::Kind;
+use crate::figure::parts::outline::{Outline, Rim, draw as draw_outline, hull, rim};
+use crate::figure::parts::scenery;
+use crate::figure::sheet::canvas::{coordinates, quantity};
+use crate::figure::sheet::frame::Frame;
+use crate::figure::sheet::look::Look;
 use crate::figure::sheet::{Anchor, Sheet};
 use crate::figure::spec::Layer;
+use crate::figure::subject::Figure;
 use crate::figure::view::{Projection, Stage};
 use crate::geometry::Ray;
 use crate::trace::{Event, RayEnd, RayStart};

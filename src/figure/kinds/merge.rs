@@ -2,18 +2,18 @@
 
 use glam::{DVec2, DVec3};
 
-use crate::figure::bound::{self, Slab};
-use crate::figure::canvas::quantity;
-use crate::figure::drawing::Figure;
 use crate::figure::error::FigureError;
-use crate::figure::frame::Frame;
-use crate::figure::kinds::Kind;
-use crate::figure::kinds::named_lines::with_names;
-use crate::figure::look::{Dash, Look};
-use crate::figure::outline;
-use crate::figure::scenery;
+use crate::figure::kind::Kind;
+use crate::figure::parts::bound::{self, Slab};
+use crate::figure::parts::named_lines::with_names;
+use crate::figure::parts::outline;
+use crate::figure::parts::scenery;
+use crate::figure::sheet::canvas::quantity;
+use crate::figure::sheet::frame::Frame;
+use crate::figure::sheet::look::{Dash, Look};
 use crate::figure::sheet::{Anchor, Sheet};
 use crate::figure::spec::Layer;
+use crate::figure::subject::Figure;
 use crate::figure::view::{Projection, Stage};
 use crate::geometry::MOST_SLABS;
 use crate::scene::PrimitiveId;

@@ -12,40 +12,21 @@ mod intervals;
 mod irradiance;
 mod line_of_t;
 mod merge;
-mod named_lines;
 mod partition;
 mod paths;
 mod picture;
 mod pinhole;
-mod plan;
 mod polygon;
 mod rays;
 mod shading;
 mod slabs;
 mod sphere;
 mod steps;
-mod surface;
 mod volumes;
-mod walk;
 mod window;
 
-use crate::figure::drawing::Figure;
-use crate::figure::error::FigureError;
-use crate::figure::frame::Frame;
-use crate::figure::sheet::Sheet;
-use crate::figure::spec::{FigureKind, Layer};
-
-/// A kind of figure.
-pub(super) struct Kind {
-    /// Draws into a frame of the sheet, and says in words what there is to be seen.
-    pub(super) draw: fn(&Figure, &mut Sheet, Frame) -> Result<String, FigureError>,
-    /// How high it is in a book's column, in units of the sheet.
-    pub(super) height: f64,
-    /// What it shows if nothing is said.
-    pub(super) usual: &'static [Layer],
-    /// What else it can show.
-    pub(super) more: &'static [Layer],
-}
+use crate::figure::kind::Kind;
+use crate::figure::spec::FigureKind;
 
 /// The kind of that name.
 pub(super) fn kind(name: FigureKind) -> Kind {

@@ -4,17 +4,17 @@ use std::collections::BTreeMap;
 
 use glam::DVec2;
 
-use crate::figure::drawing::Figure;
 use crate::figure::error::FigureError;
-use crate::figure::frame::Frame;
-use crate::figure::kinds::Kind;
-use crate::figure::kinds::plan::{self, Lattice, depth_axis};
-use crate::figure::kinds::walk::Walk;
-use crate::figure::look::Look;
-use crate::figure::outline;
-use crate::figure::scenery;
+use crate::figure::kind::Kind;
+use crate::figure::parts::outline;
+use crate::figure::parts::plan::{self, Lattice, depth_axis};
+use crate::figure::parts::scenery;
+use crate::figure::parts::walk::Walk;
 use crate::figure::sheet::Sheet;
+use crate::figure::sheet::frame::Frame;
+use crate::figure::sheet::look::Look;
 use crate::figure::spec::Layer;
+use crate::figure::subject::Figure;
 use crate::figure::view::Stage;
 use crate::scene::PrimitiveId;
 use crate::structure::AssignStep;

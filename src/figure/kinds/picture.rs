@@ -1,11 +1,11 @@
 //! The picture of a scene with its pixels as squares; the pixels whose trace is drawn are marked.
 
-use crate::figure::drawing::Figure;
 use crate::figure::error::FigureError;
-use crate::figure::frame::Frame;
-use crate::figure::kinds::Kind;
-use crate::figure::picture;
+use crate::figure::kind::Kind;
+use crate::figure::parts::picture;
 use crate::figure::sheet::Sheet;
+use crate::figure::sheet::frame::Frame;
+use crate::figure::subject::Figure;
 
 pub(super) const KIND: Kind = Kind {
     draw,

@@ -6,18 +6,18 @@
 use glam::{DVec2, DVec3};
 
 use crate::explain::MINUS;
-use crate::figure::canvas::{coordinates, quantity};
-use crate::figure::drawing::{DrawnRay, Figure};
 use crate::figure::error::FigureError;
-use crate::figure::frame::Frame;
-use crate::figure::kinds::Kind;
-use crate::figure::look::Look;
-use crate::figure::outline::{self, Outline};
-use crate::figure::parabola;
-use crate::figure::scenery;
+use crate::figure::kind::Kind;
+use crate::figure::parts::outline::{self, Outline};
+use crate::figure::parts::parabola;
+use crate::figure::parts::scenery;
+use crate::figure::parts::turn::at_angle;
+use crate::figure::sheet::canvas::{coordinates, quantity};
+use crate::figure::sheet::frame::Frame;
+use crate::figure::sheet::look::Look;
 use crate::figure::sheet::{Anchor, Sheet};
 use crate::figure::spec::Layer;
-use crate::figure::turn::at_angle;
+use crate::figure::subject::{DrawnRay, Figure};
 use crate::figure::view::Stage;
 use crate::geometry::{Fate, QuadraticTest, Ray, Root, Roots, Sphere};
 use crate::scene::{PrimitiveId, Shape};

@@ -4,17 +4,17 @@
 use glam::DVec2;
 
 use crate::explain::cell_name;
-use crate::figure::canvas::quantity;
-use crate::figure::drawing::Figure;
 use crate::figure::error::FigureError;
-use crate::figure::frame::Frame;
-use crate::figure::kinds::Kind;
-use crate::figure::kinds::plan::Plan;
-use crate::figure::kinds::walk::{Visit, Walk, axes};
-use crate::figure::look::Look;
-use crate::figure::scenery;
+use crate::figure::kind::Kind;
+use crate::figure::parts::plan::Plan;
+use crate::figure::parts::scenery;
+use crate::figure::parts::walk::{Visit, Walk, axes};
+use crate::figure::sheet::canvas::quantity;
+use crate::figure::sheet::frame::Frame;
+use crate::figure::sheet::look::Look;
 use crate::figure::sheet::{Anchor, Sheet};
 use crate::figure::spec::Layer;
+use crate::figure::subject::Figure;
 use crate::trace::WalkEnd;
 
 pub(super) const KIND: Kind = Kind {

@@ -5,19 +5,19 @@
 
 use glam::DVec2;
 
-use crate::figure::drawing::{DrawnRay, Figure, records_in};
 use crate::figure::error::FigureError;
-use crate::figure::frame::Frame;
-use crate::figure::hatch;
-use crate::figure::kinds::Kind;
-use crate::figure::look::{Dash, Look};
-use crate::figure::outline::{self, Outline, Rim, hull};
-use crate::figure::scenery;
+use crate::figure::kind::Kind;
+use crate::figure::parts::hatch;
+use crate::figure::parts::outline::{self, Outline, Rim, hull};
+use crate::figure::parts::scenery;
+use crate::figure::parts::volume_outline;
+use crate::figure::sheet::frame::Frame;
+use crate::figure::sheet::look::{Dash, Look};
 use crate::figure::sheet::{Anchor, Sheet};
 use crate::figure::spec::Layer;
+use crate::figure::subject::{DrawnRay, Figure, records_in};
 use crate::figure::traced::Traced;
 use crate::figure::view::{Projection, Stage};
-use crate::figure::volume_outline;
 use crate::geometry::Ray;
 use crate::scene::{Object, Scene, Shape};
 use crate::structure::VolumeKind;
@@ -331,8 +331,8 @@ fn in_words(figure: &Figure, panel: &Panel) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::figure::parts::volume_outline::around;
     use crate::figure::sheet::Width;
-    use crate::figure::volume_outline::around;
     use crate::scene::{NoFiles, load_bytes};
     use crate::structure::SlabSet;
 

@@ -8,7 +8,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use crate::scene::LoadError;
+use crate::scene::load::error::LoadError;
 
 /// A name leads out of the folder, which is not allowed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -3,8 +3,12 @@
 use serde::de::DeserializeOwned;
 
 use crate::scene::file::{SceneFile, ShapeFile};
+use crate::scene::load::error::{LoadError, Place, SchemaOf};
+use crate::scene::load::files::Files;
+use crate::scene::load::loaded::{Lines, Loaded, Source};
 use crate::scene::load::locate::line_of;
-use crate::scene::load::{Files, Lines, LoadError, Loaded, Place, SchemaOf, Source, obj, text_of};
+use crate::scene::load::obj;
+use crate::scene::load::text::text_of;
 
 /// Reads a scene; its mesh files come from `folder`.
 pub(super) fn read_json(file: &str, text: &str, folder: &dyn Files) -> Result<Loaded, LoadError> {

@@ -4,19 +4,22 @@
 //! all objects that follow it. The angle spans the window's full height, and Ks is also the weight of
 //! the reflected ray. The near plane `hither` is read and not used: a ray begins at the eye.
 
+mod reader;
 mod view;
 
 use std::collections::HashMap;
 
-use smol_str::{SmolStr, format_smolstr};
+use smol_str::format_smolstr;
 
 use crate::scene::file::{
     CameraFile, LightFile, Material, Materials, ObjectFile, PolygonFile, SceneFile, ShapeFile,
     SidesFile,
 };
+use crate::scene::load::error::LoadError;
+use crate::scene::load::loaded::{Lines, Loaded, Source, Table};
+use crate::scene::load::nff::reader::Reader;
 use crate::scene::load::nff::view::{VIEW, key_and_path};
 use crate::scene::load::words::{Entity, Word, Words, stem};
-use crate::scene::load::{Lines, LoadError, Loaded, Source, Table};
 use crate::scene::quoted;
 
 /// Reads a scene.
@@ -74,19 +77,6 @@ const SPHERE: &str = "a sphere is written s x y z r";
 const POLYGON: &str = "a polygon is written p n, then n times x y z";
 const SMOOTH: &str = "a polygon with normals is written pp n, then n times x y z nx ny nz";
 const CONE: &str = "a cone is written c, then bx by bz br and ax ay az ar";
-
-/// The scene so far.
-struct Reader<'a> {
-    words: Words<'a>,
-    /// Lights without a colour wait for the number of lights.
-    scene: SceneFile,
-    /// The name of the material that holds.
-    material: Option<SmolStr>,
-    /// How many objects there are of each kind.
-    kinds: HashMap<&'static str, usize>,
-    /// Where each part begins.
-    lines: Table,
-}
 
 impl Reader<'_> {
     fn entity(&mut self, word: Word<'_>) -> Result<(), LoadError> {
@@ -258,16 +248,6 @@ impl Reader<'_> {
             shape,
             sides: if inside { Back } else { Both },
         });
-    }
-
-    /// Notes the line of what a file has once.
-    fn once(&mut self, path: &str, what: &str, line: usize) -> Result<(), LoadError> {
-        if let Some((_, first)) = self.lines.others.iter().find(|(known, _)| known == path) {
-            let what = format!("{what} is given twice, first in line {first}");
-            return Err(self.words.error(line, what, "remove one of them"));
-        }
-        self.lines.others.push((path.into(), line));
-        Ok(())
     }
 }
 

@@ -16,8 +16,8 @@ use crate::geometry::{Polygon, PolygonError};
 use crate::scene::check::checked_point;
 use crate::scene::fault::Fault;
 use crate::scene::file::FaceList;
+use crate::scene::load::error::{LoadError, Place};
 use crate::scene::load::words::{Entity, Word, form_error, lines, numbers_of, words_of};
-use crate::scene::load::{LoadError, Place};
 use crate::scene::{printable, quoted};
 
 /// The faces of an OBJ file.

@@ -10,7 +10,7 @@ use std::path::Path;
 use std::str::FromStr;
 
 use crate::scene::fault::LARGEST;
-use crate::scene::load::{LoadError, Place};
+use crate::scene::load::error::{LoadError, Place};
 use crate::scene::quoted;
 
 /// What stands between white space.

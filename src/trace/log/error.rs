@@ -59,7 +59,7 @@ impl fmt::Display for LogError {
             Self::NoLog { file } => write!(
                 f,
                 "{}: this is no log: the first line has no \"kind\":\"trace\"\n  \
-                 make one with 'raystep trace'",
+                 make one",
                 printable(file)
             ),
             Self::Version { file, found } => write!(

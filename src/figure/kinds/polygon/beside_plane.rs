@@ -2,13 +2,13 @@
 
 use glam::{DVec2, DVec3};
 
-use crate::figure::canvas::quantity;
-use crate::figure::drawing::Figure;
-use crate::figure::frame::Frame;
-use crate::figure::kinds::polygon::Tested;
-use crate::figure::look::Look;
-use crate::figure::outline::{self, Rim};
+use crate::figure::kinds::polygon::tested::Tested;
+use crate::figure::parts::outline::{self, Rim};
 use crate::figure::sheet::Sheet;
+use crate::figure::sheet::canvas::quantity;
+use crate::figure::sheet::frame::Frame;
+use crate::figure::sheet::look::Look;
+use crate::figure::subject::Figure;
 use crate::geometry::PlaneVerdict;
 
 /// A ray that keeps its distance from the plane: (v) has no t.

@@ -2,14 +2,14 @@
 
 use glam::{DVec2, DVec3};
 
-use crate::figure::axes;
-use crate::figure::drawing::Figure;
-use crate::figure::frame::Frame;
-use crate::figure::kinds::polygon::{Tested, mark};
-use crate::figure::look::Look;
-use crate::figure::outline::{self, Rim};
+use crate::figure::kinds::polygon::tested::{Tested, mark};
+use crate::figure::parts::axes;
+use crate::figure::parts::outline::{self, Rim};
 use crate::figure::sheet::Sheet;
+use crate::figure::sheet::frame::Frame;
+use crate::figure::sheet::look::Look;
 use crate::figure::spec::Layer;
+use crate::figure::subject::Figure;
 use crate::geometry::{Axis, PlaneTest, PlaneVerdict, Root};
 
 /// The polygon, the ray and p, with their projections along an axis.

@@ -3,12 +3,12 @@
 
 use glam::{DVec2, DVec3};
 
-use crate::figure::axes;
-use crate::figure::canvas::quantity;
-use crate::figure::frame::Frame;
-use crate::figure::kinds::polygon::{Tested, mark, verdict};
-use crate::figure::look::Look;
+use crate::figure::kinds::polygon::tested::{Tested, mark, verdict};
+use crate::figure::parts::axes;
 use crate::figure::sheet::Sheet;
+use crate::figure::sheet::canvas::quantity;
+use crate::figure::sheet::frame::Frame;
+use crate::figure::sheet::look::Look;
 use crate::figure::view::Stage;
 use crate::geometry::{Axis, EdgeTest};
 

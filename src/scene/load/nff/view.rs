@@ -1,8 +1,8 @@
 //! The view of an NFF file: the eye, the window and its division into pixels.
 
 use crate::scene::file::{CameraFile, LookAt};
-use crate::scene::load::LoadError;
-use crate::scene::load::nff::Reader;
+use crate::scene::load::error::LoadError;
+use crate::scene::load::nff::reader::Reader;
 use crate::scene::load::words::{Entity, Word};
 
 pub(super) const VIEW: &str = "a view is written v, then from x y z, at x y z, up x y z, angle a, hither h and \

@@ -6,9 +6,10 @@ use crate::scene::file::{
     CameraFile, FaceList, LightFile, LookAt, Material, Materials, MeshFile, ObjectFile, SceneFile,
     ShapeFile, SidesFile,
 };
+use crate::scene::load::error::LoadError;
+use crate::scene::load::loaded::{Lines, Loaded, Source, Table};
 use crate::scene::load::obj::{Faces, read_obj};
 use crate::scene::load::words::stem;
-use crate::scene::load::{Lines, LoadError, Loaded, Source, Table};
 
 /// Reads a mesh as a scene of its own: grey, and seen whole from the right, the front and above.
 ///

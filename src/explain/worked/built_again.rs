@@ -1,0 +1,15 @@
+//! Structures that are built again from the scene in a log, where the log says too little of them.
+
+use std::cell::OnceCell;
+
+use crate::geometry::MOST_SLABS;
+use crate::structure::{BareGrid, Hierarchy};
+
+/// What is built again from the scene, once it is asked for.
+#[derive(Debug, Default)]
+pub(super) struct BuiltAgain {
+    /// The hierarchy, where the log says too little of its bounds.
+    pub(super) hierarchy: OnceCell<Hierarchy<MOST_SLABS>>,
+    /// The grid without room.
+    pub(super) grid: OnceCell<BareGrid>,
+}

@@ -1,0 +1,94 @@
+//! From a specification and its trace to a drawing.
+
+use crate::figure::error::FigureError;
+use crate::figure::kinds::kind;
+use crate::figure::parts::picture;
+use crate::figure::sheet::canvas::{Canvas, Rendition};
+use crate::figure::sheet::{Sheet, Width};
+use crate::figure::spec::{FigureSpec, Layer};
+use crate::figure::subject::Figure;
+use crate::figure::traced::Traced;
+
+/// A figure as it came out.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Drawn {
+    /// The drawing.
+    pub svg: String,
+    /// What it shows, in words made from the events: what is read out in its place.
+    pub description: String,
+    /// The steps of the trace that make something in it, rising.
+    pub steps: Vec<u32>,
+}
+
+/// Draws a figure from its trace alone. The id begins all ids and classes in it: a word of letters, digits and `-`.
+///
+/// # Errors
+/// A specification that asks for what the trace or the kind of figure does not have.
+pub fn draw(
+    spec: &FigureSpec,
+    traced: &[Traced],
+    id: &str,
+    width: Width,
+    rendition: Rendition,
+) -> Result<Drawn, FigureError> {
+    let [first, ..] = traced else {
+        return Err(FigureError::of_log("the log of this figure is empty"));
+    };
+    is_whole(spec, traced)?;
+    let kind = kind(spec.kind);
+    let layers = || kind.usual.iter().chain(kind.more).chain([&Layer::Image]);
+    if let Some(layer) = spec.show.iter().find(|of| !layers().any(|has| has == *of)) {
+        let has: Vec<String> = layers().map(|of| of.name()).collect();
+        return Err(FigureError::new(
+            "show",
+            format!("this kind of figure has nothing called {}", layer.name()),
+            format!("choose among {}", has.join(", ")),
+        ));
+    }
+    let figure = Figure {
+        spec,
+        traced,
+        usual: kind.usual,
+        scene: &first.scene,
+        first,
+    };
+    let mut sheet = Sheet::new(width, kind.height);
+    let mut body = sheet.body();
+    if spec.show.contains(&Layer::Image) {
+        body = picture::beside(&figure, &mut sheet, body);
+    }
+    let description = (kind.draw)(&figure, &mut sheet, body)?;
+    let marks = sheet.marks.iter().map(|mark| mark.step);
+    let words = sheet.words.iter().map(|of| of.step);
+    let labels = sheet.labels.iter().map(|of| of.step);
+    let mut steps: Vec<u32> = marks.chain(words).chain(labels).flatten().collect();
+    steps.sort_unstable();
+    steps.dedup();
+    let rendition = Rendition {
+        up_to: rendition.up_to.or(spec.step),
+        ..rendition
+    };
+    Ok(Drawn {
+        svg: Canvas::write(sheet, id, [&figure.title(), &description], rendition),
+        description,
+        steps,
+    })
+}
+
+/// Is the log of a figure all there? Its pixels all have a colour, and there is one trace for each variant.
+fn is_whole(spec: &FigureSpec, traced: &[Traced]) -> Result<(), FigureError> {
+    let of_figure = |of: &&Traced| of.settings.figure.is_some();
+    if !traced.iter().all(|of| of_figure(&of)) {
+        // a log of another kind has what it has
+        return Ok(());
+    }
+    let variants = spec.strategies.len().max(1) * spec.volumes.len().max(1);
+    let paths = spec.paths.unwrap_or(0) as usize;
+    let cut = |of: &&Traced| of.picture().iter().any(Option::is_none) || of.paths().len() < paths;
+    if traced.len() == variants && !traced.iter().any(|of| cut(&of)) {
+        return Ok(());
+    }
+    Err(FigureError::of_log(
+        "the log of this figure is not whole: its end is missing, or the lesson has changed since",
+    ))
+}

@@ -1,0 +1,115 @@
+//! The coordinate axes and planes in a drawing, and what is projected onto them.
+
+use glam::{DVec2, DVec3};
+
+use crate::figure::sheet::Sheet;
+use crate::figure::sheet::look::Look;
+use crate::figure::view::{Projection, Stage};
+use crate::geometry::Axis;
+
+/// The letter of an axis.
+pub(in crate::figure) fn letter(axis: Axis) -> &'static str {
+    match axis {
+        Axis::X => "x",
+        Axis::Y => "y",
+        Axis::Z => "z",
+    }
+}
+
+/// What the coefficient of a coordinate is called in (iv).
+pub(in crate::figure) fn coefficient(axis: Axis) -> &'static str {
+    match axis {
+        Axis::X => "A",
+        Axis::Y => "B",
+        Axis::Z => "C",
+    }
+}
+
+fn unit(axis: Axis) -> DVec3 {
+    match axis {
+        Axis::X => DVec3::X,
+        Axis::Y => DVec3::Y,
+        Axis::Z => DVec3::Z,
+    }
+}
+
+/// The foot of a point on the coordinate plane across an axis: the coordinate is dropped.
+pub(in crate::figure) fn foot(axis: Axis, point: DVec3) -> DVec3 {
+    point - axis.of(point) * unit(axis)
+}
+
+/// The point of the coordinate plane across an axis that is left of another without that coordinate.
+pub(in crate::figure) fn on_plane(axis: Axis, p: DVec2) -> DVec3 {
+    match axis {
+        Axis::X => DVec3::new(0.0, p.x, p.y),
+        Axis::Y => DVec3::new(p.x, 0.0, p.y),
+        Axis::Z => DVec3::new(p.x, p.y, 0.0),
+    }
+}
+
+/// The view along an axis, in which what is projected along it has its true shape.
+pub(in crate::figure) fn view_along(axis: Axis) -> Projection {
+    match axis {
+        Axis::X => Projection::new(DVec3::NEG_Z, DVec3::Y),
+        Axis::Y => Projection::new(DVec3::X, DVec3::NEG_Z),
+        Axis::Z => Projection::new(DVec3::X, DVec3::Y),
+    }
+}
+
+/// Draws an axis from the origin to its place in `reach`, with its letter at the end.
+pub(in crate::figure) fn draw(sheet: &mut Sheet, stage: &Stage, axis: Axis, reach: DVec3) {
+    let (from, to) = (
+        stage.place(DVec3::ZERO),
+        stage.place(axis.of(reach) * unit(axis)),
+    );
+    sheet.arrow(Look::THIN, from, to);
+    sheet.label(stage.frame, to, to - from, letter(axis));
+}
+
+/// Draws the coordinate plane across an axis as far as `reach`: its two axes, and two thin lines.
+pub(in crate::figure) fn draw_plane(sheet: &mut Sheet, stage: &Stage, across: Axis, reach: DVec3) {
+    let corner = foot(across, reach);
+    for axis in [Axis::X, Axis::Y, Axis::Z] {
+        if axis == across {
+            continue;
+        }
+        let end = axis.of(reach) * unit(axis);
+        // a little shorter than the axis, whose arrow begins there
+        let edge = 0.9;
+        let other = corner - end;
+        sheet.line(
+            Look::THIN.wide(0.6),
+            stage.place(edge * other),
+            stage.place(edge * corner),
+        );
+        draw(sheet, stage, axis, reach);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_dropped_coordinate_becomes_0_and_the_others_stay() {
+        let p = DVec3::new(1.0, 2.0, 3.0);
+        for (axis, expected) in [
+            (Axis::X, [0.0, 2.0, 3.0]),
+            (Axis::Y, [1.0, 0.0, 3.0]),
+            (Axis::Z, [1.0, 2.0, 0.0]),
+        ] {
+            assert_eq!(foot(axis, p), expected.into());
+            assert_eq!(on_plane(axis, axis.drop_from(p)), expected.into());
+        }
+    }
+
+    #[test]
+    fn seen_along_an_axis_the_two_others_have_their_lengths() {
+        for axis in [Axis::X, Axis::Y, Axis::Z] {
+            let p = foot(axis, DVec3::new(1.0, 2.0, 2.0));
+            let seen = view_along(axis).of(p);
+            assert!((seen.length() - p.length()).abs() < 1e-12, "{axis:?}");
+            assert_eq!(view_along(axis).of(unit(axis)).length(), 0.0);
+        }
+    }
+}

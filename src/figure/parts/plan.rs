@@ -1,0 +1,267 @@
+//! A grid in 2D, as it is seen along one of its axes, with the cells that a ray visits and the ray from cell to cell.
+
+use glam::{DVec2, DVec3};
+
+use crate::figure::error::FigureError;
+use crate::figure::parts::outline::{self, Outline};
+use crate::figure::parts::walk::{Visit, Walk};
+use crate::figure::sheet::Sheet;
+use crate::figure::sheet::frame::Frame;
+use crate::figure::sheet::look::Look;
+use crate::figure::spec::Layer;
+use crate::figure::subject::{DrawnRay, Figure};
+use crate::figure::view::{Projection, Stage};
+use crate::geometry::Ray;
+use crate::trace::GridEnter;
+
+/// A walk on a stage.
+pub(in crate::figure) struct Plan {
+    pub(in crate::figure) stage: Stage,
+    lattice: Lattice,
+    /// The axis along which it is seen.
+    depth: usize,
+    part: Option<Part>,
+    /// The step at which the ray ends.
+    last_step: u32,
+}
+
+/// What is to be seen of a ray.
+#[derive(Clone, Copy)]
+struct Part {
+    ray: Ray,
+    /// Where it begins to be seen.
+    from: f64,
+    /// Where it enters the grid's box, and where it leaves it.
+    inside: [f64; 2],
+    /// Where it ends: at what it meets, or a little beyond the box.
+    ends: f64,
+}
+
+impl Plan {
+    /// The grid in a frame, with some of the ray before it.
+    ///
+    /// # Errors
+    /// The figure does not look along an axis.
+    pub(in crate::figure) fn new(
+        figure: &Figure,
+        (ray, walk): (&DrawnRay, &Walk),
+        frame: Frame,
+    ) -> Result<Self, FigureError> {
+        let depth = depth_axis(figure)?;
+        let lattice = Lattice::of(&walk.grid);
+        let part = shown_part(figure, ray, walk, &lattice);
+        let mut points = Vec::from(lattice.box_corners());
+        if figure.shows(Layer::Ray) {
+            points.extend(part.map(|part| part.ray.at(part.from)));
+        }
+        let last = ray.events.last().map(|record| record.step);
+        Ok(Self {
+            stage: figure.stage(frame, points),
+            lattice,
+            depth,
+            part,
+            last_step: last.unwrap_or(walk.step),
+        })
+    }
+
+    /// The planes that are seen from their edge, those around all cells a little stronger.
+    pub(in crate::figure) fn planes(&self, sheet: &mut Sheet) {
+        sheet.at_step(None);
+        let [a, b] = [(self.depth + 1) % 3, (self.depth + 2) % 3];
+        for (across, along) in [(a, b), (b, a)] {
+            let last = self.lattice.resolution[across];
+            for place in 0..=last {
+                let end = |to: u32| {
+                    let mut at = [0; 3];
+                    (at[across], at[along]) = (place, to);
+                    self.stage.projection.of(self.lattice.corner(at))
+                };
+                let line = [end(0), end(self.lattice.resolution[along])];
+                let is_outer = place == 0 || place == last;
+                let look = Look::THIN.wide(if is_outer { 1.5 } else { 0.75 });
+                outline::line_on(sheet, &self.stage, look, &line);
+            }
+        }
+    }
+
+    /// A cell that was visited: its area with a label, and a frame around it if something is on its list.
+    pub(in crate::figure) fn cell(&self, sheet: &mut Sheet, visit: &Visit, label: String) {
+        let outline = self.lattice.cell(visit.cell.cell, &self.stage.projection);
+        let look = if visit.length == 0 { EMPTY } else { LISTED };
+        sheet.at_step(visit.step);
+        outline::rim(sheet, &self.stage, &outline.rim, look);
+        if let Some(area) = self.lattice.area(visit.cell.cell, &self.stage) {
+            sheet.label_in(area, label);
+        }
+    }
+
+    /// The line of the ray through the grid, and the ray from cell to cell.
+    pub(in crate::figure) fn ray(&self, sheet: &mut Sheet, walk: &Walk) {
+        let Some(part) = self.part else { return };
+        let line = |sheet: &mut Sheet, look: Look, ends: [f64; 2]| {
+            let ends = ends.map(|t| self.stage.projection.of(part.ray.at(t)));
+            outline::line_on(sheet, &self.stage, look, &ends);
+        };
+        let [enters, leaves] = part.inside;
+        sheet.at_step(walk.step);
+        line(sheet, Look::LINE_OF_RAY, [enters, leaves]);
+        line(sheet, Look::RAY, [part.from, enters]);
+        let start = self.place(part.from);
+        let middle = start.lerp(self.place(enters), 0.5);
+        if self.stage.frame.contains(middle) {
+            sheet.label(self.stage.frame, middle, self.above(), "R");
+        }
+        for visit in &walk.visits {
+            sheet.at_step(visit.step);
+            let to = visit.cell.t_out.min(part.ends);
+            line(sheet, Look::RAY, [visit.cell.t_in.min(to), to]);
+        }
+        sheet.at_step(self.last_step);
+        let ends = [start, self.place(part.ends)];
+        if let Some([from, to]) = self.stage.frame.cut_line(ends) {
+            sheet.arrow(Look::RAY, from, to);
+        }
+    }
+
+    /// The step at which the ray ends.
+    pub(in crate::figure) fn last_step(&self) -> u32 {
+        self.last_step
+    }
+
+    /// Where a point of the ray is on the sheet.
+    pub(in crate::figure) fn place(&self, t: f64) -> DVec2 {
+        let point = self.part.map_or(DVec3::ZERO, |part| part.ray.at(t));
+        self.stage.place(point)
+    }
+
+    /// The direction across the ray that goes up.
+    pub(in crate::figure) fn above(&self) -> DVec2 {
+        let along = self.part.map_or(DVec3::X, |part| part.ray.direction);
+        let across = self.stage.direction(along).perp();
+        if 0.0 < across.y { -across } else { across }
+    }
+}
+
+/// A cell that was visited without an object on its list, and with one.
+pub(in crate::figure) const EMPTY: Look = Look::VISITED.inside();
+pub(in crate::figure) const LISTED: Look = Look::VISITED.wide(2.5);
+
+/// A ray that comes from far off is seen from a little before the grid. `None` if it passes by.
+fn shown_part(figure: &Figure, ray: &DrawnRay, walk: &Walk, lattice: &Lattice) -> Option<Part> {
+    /// Of the box's diagonal, before it and beyond it.
+    const BEFORE: f64 = 0.12;
+    const BEYOND: f64 = 0.06;
+    let start = ray.node.start?;
+    let [enters, leaves] = walk.grid.inside?;
+    let inside = [enters.max(0.0), leaves.max(0.0)];
+    let from = if figure.shows(Layer::Eye) {
+        0.0
+    } else {
+        inside[0] - BEFORE * lattice.diagonal()
+    };
+    let met = ray.node.end.and_then(|end| end.t);
+    let beyond = inside[1] + BEYOND * lattice.diagonal();
+    Some(Part {
+        ray: start.ray,
+        from: from.max(0.0),
+        inside,
+        ends: met.unwrap_or(start.range.max).min(beyond),
+    })
+}
+
+/// Where the planes of a grid lie: the corners of its cells.
+pub(in crate::figure) struct Lattice {
+    min: DVec3,
+    max: DVec3,
+    pub(in crate::figure) resolution: [u32; 3],
+}
+
+impl Lattice {
+    pub(in crate::figure) fn of(grid: &GridEnter) -> Self {
+        Self {
+            min: grid.min,
+            max: grid.max,
+            resolution: grid.resolution,
+        }
+    }
+
+    /// The corner between cells: min + (max − min)·at/n.
+    pub(in crate::figure) fn corner(&self, at: [u32; 3]) -> DVec3 {
+        let share = [0, 1, 2].map(|axis| f64::from(at[axis]) / f64::from(self.resolution[axis]));
+        self.min + (self.max - self.min) * DVec3::from(share)
+    }
+
+    /// All corners of the box.
+    pub(in crate::figure) fn box_corners(&self) -> [DVec3; 8] {
+        std::array::from_fn(|bits| {
+            let end = |axis: usize| self.resolution[axis] * (bits as u32 >> axis & 1);
+            self.corner([0, 1, 2].map(end))
+        })
+    }
+
+    /// The whole box in a projection.
+    pub(in crate::figure) fn whole(&self, projection: &Projection) -> Outline {
+        Outline::of_box(self.min, self.max, projection)
+    }
+
+    /// A cell in a projection.
+    pub(in crate::figure) fn cell(&self, cell: [u32; 3], projection: &Projection) -> Outline {
+        let next = cell.map(|at| at + 1);
+        Outline::of_box(self.corner(cell), self.corner(next), projection)
+    }
+
+    /// What is seen of a cell on a stage; `None` if it lies outside the frame.
+    pub(in crate::figure) fn area(&self, cell: [u32; 3], stage: &Stage) -> Option<Frame> {
+        let corners = self.cell(cell, &stage.projection).rim.points();
+        let corners = corners.iter().map(|point| stage.place_flat(*point));
+        let area = Frame::around(corners)?;
+        let seen = Frame {
+            min: area.min.max(stage.frame.min),
+            max: area.max.min(stage.frame.max),
+        };
+        seen.min.cmplt(seen.max).all().then_some(seen)
+    }
+
+    /// The length of the box's diagonal.
+    pub(in crate::figure) fn diagonal(&self) -> f64 {
+        (self.max - self.min).length()
+    }
+}
+
+/// The axis along which a figure looks: 0, 1 or 2.
+///
+/// # Errors
+/// It looks along none.
+pub(in crate::figure) fn depth_axis(figure: &Figure) -> Result<usize, FigureError> {
+    /// Of a unit vector; rounding leaves less.
+    const ALMOST_1: f64 = 1.0 - 1e-9;
+    let towards = figure.projection().towards();
+    let axis = (0..3).find(|&axis| ALMOST_1 <= towards[axis].abs());
+    axis.ok_or_else(|| {
+        FigureError::new(
+            "view",
+            "a grid in 2D is seen along one of its axes",
+            "choose the view top, front or side",
+        )
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_corners_of_the_cells_cut_the_box_into_equal_parts() {
+        let lattice = Lattice::of(&GridEnter {
+            min: DVec3::new(-1.0, 0.0, 2.0),
+            max: DVec3::new(3.0, 1.0, 8.0),
+            resolution: [4, 1, 3],
+            ..GridEnter::default()
+        });
+        assert_eq!(lattice.corner([0, 0, 0]), DVec3::new(-1.0, 0.0, 2.0));
+        assert_eq!(lattice.corner([1, 0, 2]), DVec3::new(0.0, 0.0, 6.0));
+        assert_eq!(lattice.corner([4, 1, 3]), DVec3::new(3.0, 1.0, 8.0));
+        let corners = lattice.box_corners();
+        assert_eq!(corners[0b101], DVec3::new(3.0, 0.0, 8.0));
+    }
+}

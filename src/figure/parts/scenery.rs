@@ -1,0 +1,227 @@
+//! What many kinds of figure show of a scene: objects with their names, the eye, the window, lights.
+
+use glam::{DVec2, DVec3};
+
+use crate::explain::printable;
+use crate::figure::parts::outline::{self, Outline, Rim};
+use crate::figure::parts::turn::at_angle;
+use crate::figure::sheet::Sheet;
+use crate::figure::sheet::look::Look;
+use crate::figure::spec::Layer;
+use crate::figure::subject::Figure;
+use crate::figure::view::Stage;
+use crate::scene::{Object, Primitive, PrimitiveId, Scene};
+
+/// The points that show a scene: outlines of all objects, the eye, the window.
+pub(in crate::figure) fn points_of(figure: &Figure) -> Vec<DVec3> {
+    let mut points = Vec::new();
+    for primitive in &figure.scene.primitives {
+        points.extend(corners(primitive));
+    }
+    let camera = &figure.scene.camera;
+    if figure.shows(Layer::Eye) || figure.shows(Layer::Ray) {
+        points.push(camera.cop);
+    }
+    if figure.shows(Layer::Window) {
+        points.extend(window_corners(figure.scene));
+    }
+    if figure.shows(Layer::Lights) {
+        points.extend(figure.scene.lights.iter().map(|light| light.position));
+    }
+    points
+}
+
+/// The corners of the box around a primitive.
+fn corners(primitive: &Primitive) -> [DVec3; 8] {
+    let bounds = DVec3::AXES.map(|axis| crate::structure::extent(&primitive.shape, axis));
+    std::array::from_fn(|bits| {
+        let [x, y, z] = [0, 1, 2].map(|axis| bounds[axis][bits >> axis & 1]);
+        DVec3::new(x, y, z)
+    })
+}
+
+/// All objects, each with the look that is asked for it.
+pub(in crate::figure) fn objects(
+    figure: &Figure,
+    sheet: &mut Sheet,
+    stage: &Stage,
+    look: impl Fn(PrimitiveId) -> Look,
+) {
+    for (id, primitive) in (0..).map(PrimitiveId).zip(&figure.scene.primitives) {
+        let outline = Outline::of(&primitive.shape, &stage.projection);
+        outline::draw(sheet, stage, &outline, look(id));
+    }
+}
+
+/// Some objects with one look.
+pub(in crate::figure) fn some_objects(
+    figure: &Figure,
+    sheet: &mut Sheet,
+    stage: &Stage,
+    ids: &[PrimitiveId],
+    look: Look,
+) {
+    for id in ids {
+        let shape = &figure.scene.primitive(*id).shape;
+        outline::draw(sheet, stage, &Outline::of(shape, &stage.projection), look);
+    }
+}
+
+/// All objects, those that rays have met marked if hits are shown.
+pub(in crate::figure) fn objects_met(
+    figure: &Figure,
+    sheet: &mut Sheet,
+    stage: &Stage,
+    met: &[PrimitiveId],
+) {
+    objects(figure, sheet, stage, |id| {
+        if met.contains(&id) && figure.shows(Layer::Hits) {
+            Look::HIT
+        } else {
+            Look::OBJECT
+        }
+    });
+}
+
+/// The names of all objects, each once, in or beside its outline.
+pub(in crate::figure) fn names(figure: &Figure, sheet: &mut Sheet, stage: &Stage) {
+    names_of(figure, sheet, stage, |_| true);
+}
+
+/// The window, the eye and the lights, as far as they are shown.
+pub(in crate::figure) fn camera_and_lights(figure: &Figure, sheet: &mut Sheet, stage: &Stage) {
+    if figure.shows(Layer::Window) {
+        window(figure, sheet, stage);
+    }
+    if figure.shows(Layer::Eye) {
+        eye(figure, sheet, stage);
+    }
+    if figure.shows(Layer::Lights) {
+        lights(figure, sheet, stage);
+    }
+}
+
+/// The names of some objects.
+pub(in crate::figure) fn names_of(
+    figure: &Figure,
+    sheet: &mut Sheet,
+    stage: &Stage,
+    is_named: impl Fn(&Object) -> bool,
+) {
+    for object in &figure.scene.objects {
+        if object.count == 0 || !is_named(object) {
+            continue;
+        }
+        let shape = &figure.scene.primitive(object.first).shape;
+        let outline = Outline::of(shape, &stage.projection);
+        name_at(sheet, stage, &outline.rim, &short(&object.name));
+    }
+}
+
+/// A name in the middle of an outline, or at its rim if there is no room.
+pub(in crate::figure) fn name_at(sheet: &mut Sheet, stage: &Stage, rim: &Rim, name: &str) {
+    let points: Vec<DVec2> = rim
+        .points()
+        .into_iter()
+        .map(|point| stage.place_flat(point))
+        .collect();
+    let seen = stage.frame.cut_polygon(&points);
+    if seen.is_empty() {
+        return;
+    }
+    let middle = seen.iter().sum::<DVec2>() / seen.len() as f64;
+    // a label begins beside its point; from a little left of the middle it comes to stand on it
+    let start = middle - DVec2::new(0.5 * sheet.width_of(name) + 0.55 * sheet.letters, 0.0);
+    sheet.name(stage.frame, start, DVec2::X, name);
+}
+
+/// A name as a figure has room for it: no control characters, at most some twenty letters.
+pub(in crate::figure) fn short(name: &str) -> String {
+    /// More would be no label.
+    const MOST: usize = 22;
+    let name = printable(name);
+    if name.chars().count() <= MOST {
+        return name;
+    }
+    let start: String = name.chars().take(MOST - 1).collect();
+    format!("{start}…")
+}
+
+/// A primitive's name in a sentence: that of its object, and the number of the face in a mesh.
+pub(in crate::figure) fn name_of(scene: &Scene, id: PrimitiveId) -> String {
+    let (name, face) = scene.name_of(id);
+    match face {
+        None => short(name),
+        Some(face) => format!("{} face {face}", short(name)),
+    }
+}
+
+/// The eye: a point with the name that the slides give it.
+pub(in crate::figure) fn eye(figure: &Figure, sheet: &mut Sheet, stage: &Stage) {
+    let at = stage.place(figure.scene.camera.cop);
+    if !stage.frame.contains(at) {
+        return;
+    }
+    sheet.dot(Look::RAY, at);
+    sheet.label(stage.frame, at, DVec2::NEG_X, "COP");
+}
+
+pub(in crate::figure) fn window_corners(scene: &Scene) -> [DVec3; 4] {
+    let camera = &scene.camera;
+    let corner = camera.corner();
+    [
+        corner,
+        corner + camera.right,
+        corner + camera.right + camera.up,
+        corner + camera.up,
+    ]
+}
+
+/// The window, with its pixels if they are shown: an area, or a line where it is seen from its edge.
+pub(in crate::figure) fn window(figure: &Figure, sheet: &mut Sheet, stage: &Stage) {
+    let corners = window_corners(figure.scene).map(|corner| stage.projection.of(corner));
+    let rim = Rim::Points(corners.into());
+    outline::rim(sheet, stage, &rim, Look::OBJECT.wide(1.75).outline());
+    if figure.shows(Layer::Pixels) {
+        let [width, height] = figure.scene.camera.pixels;
+        let camera = &figure.scene.camera;
+        let mut line = |from: [u32; 2], to: [u32; 2]| {
+            let ends = [from, to].map(|[x, y]| {
+                stage
+                    .projection
+                    .of(camera.window_point(f64::from(x), f64::from(y)))
+            });
+            outline::line_on(sheet, stage, Look::THIN.wide(0.6), &ends);
+        };
+        for x in 1..width {
+            line([x, 0], [x, height]);
+        }
+        for y in 1..height {
+            line([0, y], [width, y]);
+        }
+    }
+    let at = corners.map(|corner| stage.place_flat(corner));
+    // at its upper end, away from the rays that pass its middle
+    let top = at.into_iter().min_by(|a, b| a.y.total_cmp(&b.y));
+    if let Some(top) = top.filter(|top| stage.frame.contains(*top)) {
+        sheet.label(stage.frame, top, DVec2::NEG_Y, "window");
+    }
+}
+
+/// The lights: points with rays around them.
+pub(in crate::figure) fn lights(figure: &Figure, sheet: &mut Sheet, stage: &Stage) {
+    for light in &figure.scene.lights {
+        let at = stage.place(light.position);
+        if !stage.frame.contains(at) {
+            continue;
+        }
+        let (inner, outer) = (5.0 * sheet.unit(), 9.0 * sheet.unit());
+        sheet.circle(Look::THIN.wide(1.5), at, inner);
+        for eighth in 0..8 {
+            let along = at_angle(f64::from(eighth) * std::f64::consts::FRAC_PI_4);
+            sheet.line(Look::THIN.wide(1.5), at + inner * along, at + outer * along);
+        }
+        let above = at - DVec2::new(0.0, outer);
+        sheet.label(stage.frame, above, DVec2::NEG_Y, short(&light.name));
+    }
+}

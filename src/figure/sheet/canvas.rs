@@ -1,0 +1,456 @@
+//! A finished sheet as SVG: the one place that knows the crate `svg`, and how numbers are written in a drawing.
+//!
+//! A drawing stands alone, in light and dark, and inside a page: there it takes the page's colours from
+//! `--fg` and `--bg`, as mdBook's themes have them. Programs that know no variables take the plain colours,
+//! which each element has as well. Every id and class begins with the drawing's own name, so that many
+//! drawings fit into one page; no line is empty, which would end a block of HTML in Markdown.
+
+use glam::{DVec2, DVec3};
+use svg::Document;
+use svg::node::element::{Description, Element, Group, Style, Title};
+use svg::node::{Node, Text as Letters};
+
+use crate::explain::{MINUS, printable, shown};
+use crate::figure::sheet::frame::Frame;
+use crate::figure::sheet::labels::place_labels;
+use crate::figure::sheet::look::{Colour, Dash, FAINT, Fill, Look};
+use crate::figure::sheet::{Anchor, Form, Mark, Sheet, Words};
+
+/// For whom a drawing is written.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub struct Rendition {
+    /// Shades of grey, for print.
+    pub grayscale: bool,
+    /// No variables and no style sheet: plain colours on white, the same in any program.
+    pub standalone: bool,
+    /// Nothing that a later step of the trace makes.
+    pub up_to: Option<u32>,
+}
+
+/// A drawing.
+pub(in crate::figure) struct Canvas<'a> {
+    id: &'a str,
+    rendition: Rendition,
+}
+
+impl Canvas<'_> {
+    /// Writes a sheet. The id is a word of letters, digits and `-`; title and description say what is drawn
+    /// to who does not see it.
+    pub(in crate::figure) fn write(
+        mut sheet: Sheet,
+        id: &str,
+        [title, description]: [&str; 2],
+        rendition: Rendition,
+    ) -> String {
+        place_labels(&mut sheet);
+        let canvas = Canvas { id, rendition };
+        let [title_id, description_id] =
+            ["title", "description"].map(|part| format!("{id}_{part}"));
+        let [width, height] = sheet.size.to_array().map(number);
+        let mut document = Document::new()
+            .set("id", id)
+            .set("role", "img")
+            .set("aria-labelledby", format!("{title_id} {description_id}"))
+            .set("width", width.as_str())
+            .set("height", height.as_str())
+            .set("viewBox", format!("0 0 {width} {height}"))
+            .set(
+                "font-family",
+                "\"Open Sans\", Arial, Helvetica, \"DejaVu Sans\", sans-serif",
+            )
+            .set("font-size", number(sheet.letters))
+            .set("stroke-linejoin", "round")
+            .set("stroke-linecap", "butt")
+            .add(Title::new(allowed(title)).set("id", title_id))
+            .add(
+                Description::new()
+                    .set("id", description_id)
+                    .add(Letters::new(allowed(description))),
+            );
+        if !rendition.standalone {
+            document.assign("style", "max-width: 100%; height: auto");
+        }
+        if !rendition.standalone && !rendition.grayscale {
+            document.append(Style::new(canvas.rules()));
+        }
+        document.append(canvas.paper(sheet.size));
+        for group in canvas.groups(&sheet) {
+            document.append(group);
+        }
+        format!("{document}\n")
+    }
+
+    /// What gives the elements the page's colours.
+    fn rules(&self) -> String {
+        let id = self.id;
+        let rules = Colour::ALL.map(|colour| {
+            let (name, variable) = (colour.name(), colour.variable());
+            let plain = hexadecimal(colour.plain());
+            format!(
+                ".{id}_{name}-line {{ stroke: var({variable}, {plain}) }} \
+                 .{id}_{name}-area {{ fill: var({variable}, {plain}) }}"
+            )
+        });
+        // who knows variables knows @supports; others keep the attributes. The dark colours are for a file
+        // that stands alone: a page around it has colours of its own
+        format!(
+            "@supports (fill: var(--fg)) {{ {} }} \
+             @media (prefers-color-scheme: dark) {{ svg:root {{ --fg: #dddddd; --bg: #1b1e22 }} }}",
+            rules.join(" ")
+        )
+    }
+
+    fn paper(&self, size: DVec2) -> Element {
+        let (min, max) = (DVec2::ZERO, size);
+        let mut element = rectangle(Frame { min, max });
+        self.fill(&mut element, Colour::Paper);
+        element
+    }
+
+    /// What is there from the beginning, then one group for each step that makes something.
+    fn groups(&self, sheet: &Sheet) -> Vec<Group> {
+        let marks = sheet.marks.iter().map(|mark| mark.step);
+        let mut steps: Vec<Option<u32>> =
+            marks.chain(sheet.words.iter().map(|of| of.step)).collect();
+        // without a step comes first
+        steps.sort_unstable();
+        steps.dedup();
+        let shown = |step: &Option<u32>| match (step, self.rendition.up_to) {
+            (Some(step), Some(last)) => *step <= last,
+            _ => true,
+        };
+        let group = |step: Option<u32>| {
+            let mut group = Group::new();
+            if let Some(step) = step {
+                group.assign("data-step", step);
+            }
+            for mark in sheet.marks.iter().filter(|mark| mark.step == step) {
+                group.append(self.mark(mark));
+            }
+            for words in sheet.words.iter().filter(|words| words.step == step) {
+                group.append(self.words(words, sheet.letters));
+            }
+            group
+        };
+        steps.into_iter().filter(shown).map(group).collect()
+    }
+
+    fn mark(&self, mark: &Mark) -> Element {
+        let mut element = match &mark.form {
+            Form::Path { points, closed } => path(points, *closed),
+            Form::Ellipse {
+                center,
+                radii,
+                turn,
+            } => ellipse(*center, *radii, *turn),
+            Form::Rectangle(frame) => rectangle(*frame),
+            Form::Patch { points, rgb } => {
+                let mut element = path(points, true);
+                element.assign("fill", hexadecimal(self.shade(*rgb)));
+                element.assign("shape-rendering", "crispEdges");
+                return element;
+            }
+            Form::Pixel { frame, rgb } => {
+                let mut element = rectangle(*frame);
+                element.assign("fill", hexadecimal(self.shade(*rgb)));
+                element.assign("shape-rendering", "crispEdges");
+                return element;
+            }
+        };
+        self.look(&mut element, mark.look);
+        element
+    }
+
+    fn words(&self, words: &Words, usual: f64) -> Element {
+        /// Half the height of a capital in sizes of the letter.
+        const HALF_CAPITAL: f64 = 0.36;
+        // not the crate's own element for text, which puts line breaks around the letters
+        let mut element = Element::new("text");
+        element.assign("x", number(words.place.x));
+        element.assign("y", number(words.place.y + HALF_CAPITAL * words.size));
+        match words.anchor {
+            Anchor::Start => {}
+            Anchor::Middle => element.assign("text-anchor", "middle"),
+            Anchor::End => element.assign("text-anchor", "end"),
+        }
+        if words.size != usual {
+            element.assign("font-size", number(words.size));
+        }
+        self.fill(&mut element, Colour::Ink);
+        element.append(Letters::new(allowed(&words.text)));
+        element
+    }
+
+    fn look(&self, element: &mut Element, look: Look) {
+        if look.fill == Fill::Empty {
+            element.assign("fill", "none");
+        } else {
+            self.fill(element, look.colour);
+        }
+        if look.fill == Fill::Faint {
+            element.assign("fill-opacity", number(FAINT));
+        }
+        if look.width <= 0.0 {
+            return;
+        }
+        self.class(element, look.colour, "line");
+        let stroke = hexadecimal(self.colour(look.colour));
+        element.assign("stroke", stroke);
+        element.assign("stroke-width", number(look.width));
+        let pattern = |lengths: &[f64]| {
+            let lengths: Vec<String> = lengths.iter().map(|&of| number(of)).collect();
+            lengths.join(" ")
+        };
+        // in widths of the line, and not finer than can be seen
+        let w = look.width.max(1.25);
+        let dashes = match look.dash {
+            Dash::Solid => return,
+            Dash::Dashed => pattern(&[4.0 * w, 3.0 * w]),
+            Dash::Dotted => pattern(&[w, 2.0 * w]),
+            Dash::Alternating => pattern(&[5.0 * w, 2.0 * w, w, 2.0 * w]),
+        };
+        element.assign("stroke-dasharray", dashes);
+    }
+
+    fn fill(&self, element: &mut Element, colour: Colour) {
+        self.class(element, colour, "area");
+        element.assign("fill", hexadecimal(self.colour(colour)));
+    }
+
+    /// Adds the class by which a page gives the element its own colour.
+    fn class(&self, element: &mut Element, colour: Colour, what: &str) {
+        if self.rendition.standalone || self.rendition.grayscale {
+            return;
+        }
+        let class = format!("{}_{}-{what}", self.id, colour.name());
+        let both = match element.get_attributes().get("class") {
+            Some(first) => format!("{first} {class}"),
+            None => class,
+        };
+        element.assign("class", both);
+    }
+
+    fn colour(&self, colour: Colour) -> [u8; 3] {
+        if self.rendition.grayscale {
+            colour.grey()
+        } else {
+            colour.plain()
+        }
+    }
+
+    /// The colour of a picture's pixel; its luma (ITU-R BT.601) for print.
+    fn shade(&self, rgb: [u8; 3]) -> [u8; 3] {
+        if !self.rendition.grayscale {
+            return rgb;
+        }
+        let [r, g, b] = rgb.map(f64::from);
+        [(0.299 * r + 0.587 * g + 0.114 * b).round() as u8; 3]
+    }
+}
+
+fn path(points: &[DVec2], closed: bool) -> Element {
+    // the crate's own path data are f32; these numbers are written here
+    let mut data = String::new();
+    for (place, point) in points.iter().enumerate() {
+        data.push(if place == 0 { 'M' } else { 'L' });
+        data.push_str(&number(point.x));
+        data.push(' ');
+        data.push_str(&number(point.y));
+    }
+    if closed {
+        data.push('Z');
+    }
+    let mut element = Element::new("path");
+    element.assign("d", data);
+    element
+}
+
+fn rectangle(frame: Frame) -> Element {
+    let (corner, size) = (frame.min, frame.size());
+    let mut element = Element::new("rect");
+    for (attribute, value) in [
+        ("x", corner.x),
+        ("y", corner.y),
+        ("width", size.x),
+        ("height", size.y),
+    ] {
+        element.assign(attribute, number(value));
+    }
+    element
+}
+
+fn ellipse(center: DVec2, radii: DVec2, turn: f64) -> Element {
+    let is_circle = number(radii.x) == number(radii.y);
+    let mut element = Element::new(if is_circle { "circle" } else { "ellipse" });
+    let [x, y] = center.to_array().map(number);
+    element.assign("cx", x.as_str());
+    element.assign("cy", y.as_str());
+    if is_circle {
+        element.assign("r", number(radii.x));
+        return element;
+    }
+    element.assign("rx", number(radii.x));
+    element.assign("ry", number(radii.y));
+    if number(turn) != "0" {
+        element.assign("transform", format!("rotate({} {x} {y})", number(turn)));
+    }
+    element
+}
+
+fn hexadecimal([r, g, b]: [u8; 3]) -> String {
+    format!("#{r:02x}{g:02x}{b:02x}")
+}
+
+/// A number in a drawing: a hundredth of a unit is finer than any screen; what is not finite is 0.
+fn number(value: f64) -> String {
+    if !value.is_finite() {
+        return "0".into();
+    }
+    // + 0 turns -0 into 0
+    let text = format!("{:.2}", (value * 100.0).round() / 100.0 + 0.0);
+    text.trim_end_matches('0').trim_end_matches('.').into()
+}
+
+/// A quantity in the words of a drawing: four digits, which is what a figure has room for; three and a power of ten
+/// where the digits alone would be longer.
+pub(in crate::figure) fn quantity(value: f64) -> String {
+    /// Below, four digits have more zeros than digits before them.
+    const LEAST: f64 = 1e-3;
+    /// From here on four digits round to six places or more.
+    const MOST: f64 = 99_995.0;
+    let size = value.abs();
+    if size == 0.0 || (LEAST..MOST).contains(&size) {
+        return shown(value, 4);
+    }
+    let rounded = format!("{size:.2e}");
+    let rounded = match rounded.split_once('e') {
+        Some((digits, power)) => {
+            let digits = digits.trim_end_matches('0').trim_end_matches('.');
+            format!("{digits}e{power}")
+        }
+        None => rounded,
+    };
+    if value < 0.0 {
+        format!("{MINUS}{rounded}")
+    } else {
+        rounded
+    }
+}
+
+/// A point or a vector in the words of a drawing. A coordinate that is rounding beside the largest one is 0.
+pub(in crate::figure) fn coordinates(of: DVec3) -> String {
+    /// Some thousand roundings of 10⁻¹⁶.
+    const ROUNDING: f64 = 1e-12;
+    let least = ROUNDING * of.abs().max_element();
+    let shown = of
+        .to_array()
+        .map(|part| quantity(if part.abs() <= least { 0.0 } else { part }));
+    format!("({})", shown.join(", "))
+}
+
+/// Text that is nothing but text: line breaks become spaces, what controls a terminal or turns the direction of
+/// the text around it is written out, and what XML 1.0 does not have is replaced.
+fn allowed(text: &str) -> String {
+    let spaced = text.replace(['\t', '\n', '\r'], " ");
+    printable(&spaced).replace(['\u{fffe}', '\u{ffff}'], "\u{fffd}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::figure::sheet::Width;
+
+    #[test]
+    fn numbers_are_short_and_finite() {
+        for (value, expected) in [
+            (0.0, "0"),
+            (-0.001, "0"),
+            (760.0, "760"),
+            (0.125, "0.13"),
+            (-1.5, "-1.5"),
+            (f64::NAN, "0"),
+            (f64::INFINITY, "0"),
+        ] {
+            assert_eq!(number(value), expected);
+        }
+    }
+
+    #[test]
+    fn a_quantity_has_at_most_nine_letters() {
+        for (value, expected) in [
+            (0.0, "0"),
+            (1.0 / 3.0, "0.3333"),
+            (-0.001_234, "−0.001234"),
+            (0.000_011_85, "1.19e-5"),
+            (-8.018e-10, "−8.02e-10"),
+            (99_990.0, "99990"),
+            (99_999.0, "1e5"),
+            (3.192e9, "3.19e9"),
+            (-2e-4, "−2e-4"),
+        ] {
+            assert_eq!(quantity(value), expected);
+        }
+    }
+
+    #[test]
+    fn a_coordinate_that_is_rounding_is_zero() {
+        let of = DVec3::new(7.0 + 1e-15, -1e-15, -0.5);
+        assert_eq!(coordinates(of), "(7, 0, −0.5)");
+        assert_eq!(coordinates(DVec3::ZERO), "(0, 0, 0)");
+    }
+
+    #[test]
+    fn a_name_cannot_break_the_drawing() {
+        let mut sheet = Sheet::new(Width::Book, 100.0);
+        sheet.text(Anchor::Start, DVec2::ZERO, "d < e");
+        let about = ["<&\"\u{1}", "b\n\nc\u{202e}"];
+        let svg = Canvas::write(sheet, "a", about, Rendition::default());
+        assert!(svg.contains("&lt;&amp;\"\\u{1}"), "{svg}");
+        assert!(svg.contains("b  c\\u{202e}"), "{svg}");
+        assert!(svg.contains(">d &lt; e</text>"), "{svg}");
+    }
+
+    #[test]
+    fn a_later_step_is_left_out_and_moves_nothing() {
+        let drawn = |up_to| {
+            let mut sheet = Sheet::new(Width::Book, 100.0);
+            for step in [7, 3] {
+                sheet.at_step(step);
+                let place = DVec2::new(300.0, 50.0);
+                sheet.label(sheet.body(), place, DVec2::X, format!("step {step}"));
+            }
+            let rendition = Rendition {
+                up_to,
+                ..Rendition::default()
+            };
+            Canvas::write(sheet, "a", ["", ""], rendition)
+        };
+        let (all, first) = (drawn(None), drawn(Some(3)));
+        assert!(all.find("data-step=\"3\"") < all.find("data-step=\"7\""));
+        assert!(!first.contains("step 7"));
+        let line = |svg: &str| {
+            let line = svg.lines().find(|line| line.contains("step 3"));
+            line.map(str::to_owned)
+        };
+        assert_eq!(line(&all), line(&first));
+    }
+
+    #[test]
+    fn what_stands_alone_has_neither_variables_nor_classes() {
+        for rendition in [
+            Rendition {
+                standalone: true,
+                ..Rendition::default()
+            },
+            Rendition {
+                grayscale: true,
+                ..Rendition::default()
+            },
+        ] {
+            let mut sheet = Sheet::new(Width::Book, 100.0);
+            sheet.rectangle(Look::HIT, sheet.body());
+            let svg = Canvas::write(sheet, "a", ["", ""], rendition);
+            assert!(!svg.contains("var(") && !svg.contains("class="), "{svg}");
+        }
+    }
+}

@@ -1,0 +1,195 @@
+//! Rectangles on a sheet, and what of a line or a polygon lies in one.
+
+use glam::DVec2;
+
+/// A rectangle: its upper left and its lower right corner.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(in crate::figure) struct Frame {
+    pub(in crate::figure) min: DVec2,
+    pub(in crate::figure) max: DVec2,
+}
+
+impl Frame {
+    /// The smallest rectangle around points; none around no points.
+    pub(in crate::figure) fn around(points: impl IntoIterator<Item = DVec2>) -> Option<Self> {
+        points
+            .into_iter()
+            .map(|point| Self {
+                min: point,
+                max: point,
+            })
+            .reduce(|a, b| Self {
+                min: a.min.min(b.min),
+                max: a.max.max(b.max),
+            })
+    }
+
+    pub(in crate::figure) fn size(self) -> DVec2 {
+        self.max - self.min
+    }
+
+    pub(in crate::figure) fn middle(self) -> DVec2 {
+        0.5 * (self.min + self.max)
+    }
+
+    /// Its corners, clockwise from the upper left.
+    pub(in crate::figure) fn corners(self) -> [DVec2; 4] {
+        [
+            self.min,
+            DVec2::new(self.max.x, self.min.y),
+            self.max,
+            DVec2::new(self.min.x, self.max.y),
+        ]
+    }
+
+    /// Larger by a margin on every side, or smaller.
+    pub(in crate::figure) fn wider(self, by: f64) -> Self {
+        Self {
+            min: self.min - by,
+            max: self.max + by,
+        }
+    }
+
+    pub(in crate::figure) fn contains(self, point: DVec2) -> bool {
+        self.min.cmple(point).all() && point.cmple(self.max).all()
+    }
+
+    /// Does it hold the whole of another?
+    pub(in crate::figure) fn holds(self, other: Self) -> bool {
+        self.contains(other.min) && self.contains(other.max)
+    }
+
+    /// The area that two have in common.
+    pub(in crate::figure) fn shared_area(self, other: Self) -> f64 {
+        let shared = self.max.min(other.max) - self.min.max(other.min);
+        shared.x.max(0.0) * shared.y.max(0.0)
+    }
+
+    /// The point of it that is nearest to another.
+    pub(in crate::figure) fn nearest(self, point: DVec2) -> DVec2 {
+        point.clamp(self.min, self.max)
+    }
+
+    /// A part from the left, as wide as a share, and the rest beyond a gap.
+    pub(in crate::figure) fn split(self, share: f64, gap: f64) -> [Self; 2] {
+        let width = (self.size().x - gap) * share;
+        let left = Self {
+            min: self.min,
+            max: DVec2::new(self.min.x + width, self.max.y),
+        };
+        let right = Self {
+            min: DVec2::new(self.min.x + width + gap, self.min.y),
+            max: self.max,
+        };
+        [left, right]
+    }
+
+    /// A part from the top, as high as given, and the rest.
+    pub(in crate::figure) fn split_top(self, height: f64) -> [Self; 2] {
+        let middle = self.min.y + height;
+        let top = Self {
+            min: self.min,
+            max: DVec2::new(self.max.x, middle),
+        };
+        let bottom = Self {
+            min: DVec2::new(self.min.x, middle),
+            max: self.max,
+        };
+        [top, bottom]
+    }
+
+    /// The part of a straight line that lies in it, after Liang and Barsky: four half-planes, each of which may
+    /// raise the line's beginning or lower its end.
+    pub(in crate::figure) fn cut_line(self, [from, to]: [DVec2; 2]) -> Option<[DVec2; 2]> {
+        let along = to - from;
+        let (mut first, mut last) = (0.0_f64, 1.0_f64);
+        for axis in 0..2 {
+            if along[axis] == 0.0 {
+                if from[axis] < self.min[axis] || self.max[axis] < from[axis] {
+                    return None;
+                }
+                continue;
+            }
+            let [a, b] = [self.min[axis], self.max[axis]].map(|of| (of - from[axis]) / along[axis]);
+            first = first.max(a.min(b));
+            last = last.min(a.max(b));
+        }
+        (first <= last).then(|| [from + first * along, from + last * along])
+    }
+
+    /// The part of a polygon that lies in it, after Sutherland and Hodgman: cut at one side after the other.
+    pub(in crate::figure) fn cut_polygon(self, points: &[DVec2]) -> Vec<DVec2> {
+        let mut rest = points.to_vec();
+        for axis in 0..2 {
+            for (bound, sign) in [(self.min[axis], 1.0), (self.max[axis], -1.0)] {
+                let inside = |p: DVec2| sign * (p[axis] - bound);
+                let mut kept = Vec::with_capacity(rest.len() + 2);
+                for (i, &p) in rest.iter().enumerate() {
+                    let before = rest[(i + rest.len() - 1) % rest.len()];
+                    let (a, b) = (inside(before), inside(p));
+                    if (0.0 <= a) != (0.0 <= b) {
+                        kept.push(before + a / (a - b) * (p - before));
+                    }
+                    if 0.0 <= b {
+                        kept.push(p);
+                    }
+                }
+                rest = kept;
+            }
+        }
+        rest
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const FRAME: Frame = Frame {
+        min: DVec2::ZERO,
+        max: DVec2::new(4.0, 2.0),
+    };
+
+    fn point(x: f64, y: f64) -> DVec2 {
+        DVec2::new(x, y)
+    }
+
+    #[test]
+    fn a_line_is_cut_at_both_sides() {
+        let cut = FRAME.cut_line([point(-2.0, 1.0), point(6.0, 1.0)]);
+        assert_eq!(cut, Some([point(0.0, 1.0), point(4.0, 1.0)]));
+        // y = x − 1, from (1, 0) to (3, 2)
+        let cut = FRAME.cut_line([point(0.0, -1.0), point(4.0, 3.0)]);
+        assert_eq!(cut, Some([point(1.0, 0.0), point(3.0, 2.0)]));
+    }
+
+    #[test]
+    fn a_line_beside_it_is_gone() {
+        assert_eq!(FRAME.cut_line([point(-1.0, 3.0), point(9.0, 3.0)]), None);
+        assert_eq!(FRAME.cut_line([point(-2.0, 1.0), point(1.0, 4.0)]), None);
+    }
+
+    #[test]
+    fn a_triangle_over_a_corner_keeps_its_part() {
+        let cut = FRAME.cut_polygon(&[point(3.0, 1.0), point(5.0, 1.0), point(3.0, 3.0)]);
+        // x + y = 6 leaves the frame at (4, 2): the square from (3, 1) to (4, 2)
+        let square = [
+            point(3.0, 1.0),
+            point(4.0, 1.0),
+            point(4.0, 2.0),
+            point(3.0, 2.0),
+        ];
+        assert!(square.iter().all(|corner| cut.contains(corner)), "{cut:?}");
+        assert!(cut.iter().all(|p| FRAME.contains(*p)), "{cut:?}");
+    }
+
+    #[test]
+    fn two_frames_share_what_is_in_both() {
+        let other = Frame {
+            min: point(3.0, 1.0),
+            max: point(9.0, 9.0),
+        };
+        assert_eq!(FRAME.shared_area(other), 1.0);
+        assert_eq!(FRAME.shared_area(other.wider(-2.0)), 0.0);
+    }
+}

@@ -1,0 +1,328 @@
+//! Where labels go: beside what they name, across no line, over no other words.
+//!
+//! Each label tries places around its point, near ones and those in the direction it asks for first, and takes the
+//! first that is free. One that had to go far gets a leader: a thin line back to its point. The labels are placed
+//! in the order in which they were made, on the finished drawing, so that a figure's steps do not move them.
+
+use std::f64::consts::TAU;
+
+use glam::DVec2;
+
+use crate::figure::parts::turn::at_angle;
+use crate::figure::sheet::buckets::Buckets;
+use crate::figure::sheet::font;
+use crate::figure::sheet::frame::Frame;
+use crate::figure::sheet::look::{Fill, Look};
+use crate::figure::sheet::{Anchor, Form, Label, Mark, Sheet, Words, letters_frame};
+
+/// What labels keep away from.
+struct Obstacles {
+    lines: Buckets,
+    /// Words, and pictures.
+    frames: Vec<Frame>,
+}
+
+/// A place that a label may take.
+struct Candidate {
+    frame: Frame,
+    leader: Option<[DVec2; 2]>,
+    /// How far it is from the best place.
+    cost: f64,
+}
+
+/// Directions that are tried.
+const DIRECTIONS: u32 = 16;
+/// How often it is tried further away.
+const RINGS: u32 = 14;
+/// So many names of objects are a crowd.
+const CROWD: usize = 20;
+
+/// Places all labels of a sheet: they become words, and leaders become marks.
+pub(in crate::figure) fn place_labels(sheet: &mut Sheet) {
+    let mut obstacles = Obstacles::of(sheet);
+    let labels = std::mem::take(&mut sheet.labels);
+    // among many names a leader says no more than which of them it could be
+    let crowded = CROWD < labels.iter().filter(|label| label.optional).count();
+    for label in labels {
+        let Some(place) = best_place(&label, &obstacles, crowded) else {
+            continue;
+        };
+        obstacles.frames.push(place.frame);
+        if let Some([from, to]) = place.leader {
+            obstacles.lines.add([from, to]);
+            sheet.at_step(label.step);
+            sheet.path(Look::THIN.wide(0.75), vec![from, to]);
+        }
+        let middle = letters_frame(0.0, 0.0, 0.0, label.size);
+        sheet.words.push(Words {
+            step: label.step,
+            place: DVec2::new(place.frame.middle().x, place.frame.min.y - middle.min.y),
+            anchor: Anchor::Middle,
+            size: label.size,
+            text: label.text,
+        });
+    }
+    sheet.at_step(None);
+}
+
+/// The best place for a label; none for one of a crowd of names that has no free place beside its object.
+fn best_place(label: &Label, obstacles: &Obstacles, crowded: bool) -> Option<Candidate> {
+    let mut candidates = candidates(label);
+    let may_go = crowded && label.optional;
+    if may_go {
+        candidates.retain(|of| of.leader.is_none());
+    }
+    let free = |of: &&Candidate| {
+        label.within.holds(of.frame) && obstacles.covered(of) == 0.0 && obstacles.crossings(of) == 0
+    };
+    if let Some(place) = candidates.iter().position(|of| free(&of)) {
+        return candidates.into_iter().nth(place);
+    }
+    if may_go {
+        return None;
+    }
+    // no room: rather across a line than over other words, rather near than far
+    let trouble = |of: &Candidate| {
+        let outside = if label.within.holds(of.frame) {
+            0.0
+        } else {
+            1e6
+        };
+        outside + 1e3 * obstacles.covered(of) + 20.0 * obstacles.crossings(of) as f64 + of.cost
+    };
+    let troubles: Vec<f64> = candidates.iter().map(trouble).collect();
+    let best = (0..troubles.len()).min_by(|&a, &b| troubles[a].total_cmp(&troubles[b]))?;
+    candidates.into_iter().nth(best)
+}
+
+/// The places around a point, the best first.
+fn candidates(label: &Label) -> Vec<Candidate> {
+    let size = label.size;
+    let width = font::text_width(&label.text) * size;
+    let letters = letters_frame(0.0, 0.0, width, size);
+    let half = 0.5 * letters.size();
+    if label.anywhere {
+        // off the area's edges
+        return places_in(label.within.wider(-0.25 * size), half);
+    }
+    let towards = label.towards.try_normalize().unwrap_or(DVec2::NEG_Y);
+    let mut found = Vec::new();
+    for ring in 0..RINGS {
+        // the first ring clears a dot; each further one is most of a letter further out
+        let distance = (0.55 + 0.8 * f64::from(ring)) * size;
+        for direction in 0..DIRECTIONS {
+            let turn = f64::from(direction) / f64::from(DIRECTIONS) * TAU;
+            let along = towards.rotate(at_angle(turn));
+            let middle = label.of + (distance + touching(half, along)) * along;
+            let frame = Frame {
+                min: middle - half,
+                max: middle + half,
+            };
+            let nearest = frame.nearest(label.of);
+            let leader = (1.3 * size < nearest.distance(label.of)).then(|| {
+                let back = (label.of - nearest).normalize_or_zero();
+                [label.of - 0.35 * size * back, nearest + 0.15 * size * back]
+            });
+            // half a turn is as bad as three rings
+            let turned = turn.min(TAU - turn) / TAU * 6.0;
+            found.push(Candidate {
+                frame,
+                leader,
+                cost: f64::from(ring) + turned,
+            });
+        }
+    }
+    found.sort_by(|a, b| a.cost.total_cmp(&b.cost));
+    found
+}
+
+/// The places in an area for a rectangle of that half size: its corners, then those between them, from the upper
+/// left.
+fn places_in(area: Frame, half: DVec2) -> Vec<Candidate> {
+    /// Places beside each other, an odd number so that one is in the middle.
+    const PLACES: u32 = 5;
+    let last = PLACES - 1;
+    let mut found = Vec::new();
+    for row in 0..PLACES {
+        for column in 0..PLACES {
+            let share = DVec2::new(f64::from(column), f64::from(row)) / f64::from(last);
+            let middle = area.min + half + share * (area.size() - 2.0 * half);
+            let frame = Frame {
+                min: middle - half,
+                max: middle + half,
+            };
+            let is_corner = row % last == 0 && column % last == 0;
+            let between = if is_corner { 0 } else { 2 * PLACES };
+            found.push(Candidate {
+                frame,
+                leader: None,
+                cost: f64::from(row + column + between),
+            });
+        }
+    }
+    found.sort_by(|a, b| a.cost.total_cmp(&b.cost));
+    found
+}
+
+/// How far the middle of a rectangle is from a point that it touches, seen along a direction.
+fn touching(half: DVec2, along: DVec2) -> f64 {
+    let [x, y] = [half.x / along.x.abs(), half.y / along.y.abs()];
+    x.min(y)
+}
+
+impl Obstacles {
+    fn of(sheet: &Sheet) -> Self {
+        let mut obstacles = Self {
+            lines: Buckets::new(sheet.size),
+            frames: sheet.words.iter().map(Words::frame).collect(),
+        };
+        for mark in &sheet.marks {
+            obstacles.add(mark);
+        }
+        obstacles
+    }
+
+    fn add(&mut self, mark: &Mark) {
+        let is_seen = 0.0 < mark.look.width || mark.look.fill == Fill::Full;
+        match &mark.form {
+            Form::Pixel { frame, .. } => self.frames.push(*frame),
+            Form::Patch { points, .. } => {
+                self.frames.extend(Frame::around(points.iter().copied()));
+            }
+            _ if !is_seen => {}
+            Form::Rectangle(frame) => {
+                let [a, b, c, d] = frame.corners();
+                for line in [[a, b], [b, c], [c, d], [d, a]] {
+                    self.lines.add(line);
+                }
+            }
+            Form::Path { points, closed } => {
+                for pair in points.windows(2) {
+                    self.lines.add([pair[0], pair[1]]);
+                }
+                if let ([first, .., last], true) = (points.as_slice(), closed) {
+                    self.lines.add([*last, *first]);
+                }
+            }
+            Form::Ellipse {
+                center,
+                radii,
+                turn,
+            } => {
+                /// So many straight pieces are within a hundredth of its radius.
+                const PIECES: u32 = 24;
+                let rotation = at_angle(turn.to_radians());
+                let at = |piece: u32| {
+                    let angle = f64::from(piece) / f64::from(PIECES) * TAU;
+                    *center + rotation.rotate(*radii * at_angle(angle))
+                };
+                for piece in 0..PIECES {
+                    self.lines.add([at(piece), at(piece + 1)]);
+                }
+            }
+        }
+    }
+
+    /// How much of other words a label would cover.
+    fn covered(&self, of: &Candidate) -> f64 {
+        /// Between words.
+        const AIR: f64 = 2.0;
+        let frame = of.frame.wider(AIR);
+        let covered: f64 = self
+            .frames
+            .iter()
+            .map(|other| frame.shared_area(*other))
+            .sum();
+        let by_leader =
+            |other: &&Frame| of.leader.is_some_and(|line| other.cut_line(line).is_some());
+        covered + self.frames.iter().filter(by_leader).count() as f64
+    }
+
+    /// How many lines a label would cross.
+    fn crossings(&self, of: &Candidate) -> usize {
+        /// Between words and a line.
+        const AIR: f64 = 1.5;
+        let frame = of.frame.wider(AIR);
+        self.lines.crossing(frame)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::figure::sheet::Width;
+
+    fn sheet() -> Sheet {
+        Sheet::new(Width::Book, 400.0)
+    }
+
+    #[test]
+    fn a_label_stands_where_it_asks_to_if_nothing_is_there() {
+        let mut sheet = sheet();
+        let body = sheet.body();
+        sheet.label(body, DVec2::new(300.0, 200.0), DVec2::X, "p");
+        place_labels(&mut sheet);
+        let words = &sheet.words[0];
+        assert!(300.0 < words.frame().min.x, "{words:?}");
+        assert!((words.frame().middle().y - 200.0).abs() < 1e-9, "{words:?}");
+        assert!(sheet.marks.is_empty(), "no leader");
+    }
+
+    #[test]
+    fn a_label_goes_where_no_line_is() {
+        let mut sheet = sheet();
+        let body = sheet.body();
+        let at = DVec2::new(300.0, 200.0);
+        sheet.line(
+            Look::RAY,
+            DVec2::new(100.0, 200.0),
+            DVec2::new(500.0, 200.0),
+        );
+        sheet.label(body, at, DVec2::X, "a long label");
+        place_labels(&mut sheet);
+        let frame = sheet.words[0].frame();
+        assert!(frame.max.y < 200.0 || 200.0 < frame.min.y, "{frame:?}");
+    }
+
+    #[test]
+    fn fifty_labels_of_one_point_do_not_overlap() {
+        let mut sheet = sheet();
+        let body = sheet.body();
+        for i in 0..50 {
+            sheet.label(body, DVec2::new(380.0, 200.0), DVec2::X, format!("p{i}"));
+        }
+        place_labels(&mut sheet);
+        for (i, a) in sheet.words.iter().enumerate() {
+            for b in &sheet.words[..i] {
+                assert_eq!(a.frame().shared_area(b.frame()), 0.0, "{a:?} {b:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_label_in_a_corner_stays_on_the_sheet() {
+        let mut sheet = sheet();
+        let body = sheet.body();
+        sheet.label(body, body.min, DVec2::NEG_ONE, "corner");
+        place_labels(&mut sheet);
+        assert!(body.holds(sheet.words[0].frame()));
+    }
+
+    #[test]
+    fn a_label_of_an_area_takes_a_corner_that_is_free() {
+        let mut sheet = sheet();
+        let (min, max) = (DVec2::new(100.0, 100.0), DVec2::new(180.0, 180.0));
+        let area = Frame { min, max };
+        sheet.rectangle(Look::THIN, area);
+        // through the upper left corner and the lower right one
+        sheet.line(Look::RAY, min, max);
+        sheet.label_in(area, "7");
+        place_labels(&mut sheet);
+        let frame = sheet.words[0].frame();
+        assert!(area.holds(frame), "{frame:?}");
+        assert!(
+            140.0 < frame.min.x && frame.max.y < 140.0,
+            "not in the upper right: {frame:?}"
+        );
+    }
+}

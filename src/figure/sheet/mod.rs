@@ -1,0 +1,18 @@
+//! The paper of a figure: marks, words and labels, where the labels go, and the SVG at the end.
+//!
+//! `canvas` alone names the crate `svg` and formats the numbers of a drawing.
+
+pub(in crate::figure) mod buckets;
+pub(in crate::figure) mod canvas;
+pub(in crate::figure) mod font;
+pub(in crate::figure) mod frame;
+mod labels;
+pub(in crate::figure) mod look;
+#[expect(
+    clippy::module_inception,
+    reason = "the file is found by the name of its idea"
+)]
+mod sheet;
+
+pub use sheet::Width;
+pub(in crate::figure) use sheet::{Anchor, Form, Label, Mark, Sheet, Words, letters_frame};
