@@ -79,10 +79,11 @@ pub use figure::{
 pub use files::{Folder, load, open_lessons};
 pub use geometry::{
     AlignedRay, AlignedSlab, Alignment, Axis, AxisBox, BoxTest, Cone, DecidedBy, EdgeTest,
-    Ellipsoid, Fate, GRAZE, MOST_SLABS, OrientedEllipsoid, Plane, PlaneTest, PlaneVerdict, Polygon,
-    PolygonError, PolygonTest, QuadraticTest, Ray, Refraction, Root, Roots, Sides, SlabInterval,
-    SlabRay, SlabSetError, Sphere, TRange, disc_in_polygon, interpolated_normal,
-    mean_value_weights, polygon_in_rectangle, reflect, refract, slab_directions,
+    Ellipsoid, GRAZE, Inside, MOST_SLABS, OrientedEllipsoid, Plane, PlaneTest, PlaneVerdict,
+    Polygon, PolygonError, PolygonTest, QuadraticTest, Ray, Refraction, Root, RootVerdict, Roots,
+    Sides, SlabInterval, SlabRay, SlabSetError, Sphere, TRange, disc_in_polygon,
+    interpolated_normal, mean_value_weights, polygon_in_rectangle, reflect, refract,
+    slab_directions,
 };
 #[cfg(feature = "schema")]
 pub use lesson::lesson_schema;
@@ -101,20 +102,20 @@ pub use strategy::{
     Strategy, UniformGrid, ZAligned, test_primitive,
 };
 pub use structure::{
-    Across, AssignStep, Build, CellStep, Grid, GridError, GridOptions, GridWalk, Hierarchy, Inside,
-    Link, Lists, MOST_CELLS, MOST_CELLS_ALONG, MergeStep, Neighbour, Node, Placed, PointTree,
-    RaySlabs, Share, SlabBound, SlabChoice, SlabOutcome, SlabSet, SlabStep, StructureError,
-    StructureOptions, Volume, VolumeKind, VolumeRay, extent,
+    Across, AssignStep, Build, CellStep, Grid, GridError, GridOptions, GridWalk, Hierarchy, Link,
+    Lists, MOST_CELLS, MOST_CELLS_ALONG, MergeStep, Neighbour, Node, Placed, PointTree, RaySlabs,
+    Share, SlabBound, SlabChoice, SlabSet, SlabStep, SlabVerdict, StructureError, StructureOptions,
+    Volume, VolumeKind, VolumeRay, extent,
 };
 pub use trace::{
-    Aligned, AlignedPart, Alternative, Arrival, BoundOutcome, BoundTest, Bounded, Budget,
+    Aligned, AlignedPart, Alternative, Arrival, BoundTest, BoundVerdict, Bounded, Budget,
     CellVisit, Connection, Counts, Event, Filter, Gathered, GridEnter, GridExit, HitOutsideCell,
     Item, Kind, Kinds, LightCount, LightOptions, LightTerm, LineSink, LogError, LogNames,
-    LogReader, Nearby, Nearest, NodeOutcome, NodeVisit, Off, Outcome, PathSieve, PathStart, Photon,
-    PhotonFate, PixelColour, PixelSample, Purpose, QueueAction, QueueStep, RayCount, RayEnd,
-    RayNode, RaySlab, RayStart, RayTree, Record, Recorder, Recording, Region, Settings, Shade,
-    Sink, SlabTest, Stored, StrategyName, TestCount, Through, Transport, UsefulRays, Verdict,
-    Visibility, WalkEnd, Why, ZSort, begins_log, geometry_term, write_log_head,
+    LogReader, Nearby, Nearest, NodeVerdict, NodeVisit, Off, PathSieve, PathStart, Photon,
+    PhotonVerdict, PixelColour, PixelSample, Purpose, QueueAction, QueueStep, RayCount, RayEnd,
+    RayNode, RaySlab, RayStart, RayTree, RayVerdict, Record, Recorder, Recording, Region, Settings,
+    Shade, Sink, SlabTest, Stored, StrategyName, TestCount, Through, Transport, UsefulRays,
+    Verdict, Visibility, WalkEnd, Why, ZSort, begins_log, geometry_term, write_log_head,
 };
 #[cfg(feature = "schema")]
 pub use trace::{scene_schema, trace_schema};

@@ -254,7 +254,7 @@ fn hard_ray(random: &mut Seeded, grid: &Grid) -> Ray {
         2 => DVec3::from_array([0; 3].map(|_| f64::from(random.whole(-1, 1)))),
         _ => {
             let cells = grid.resolution().map(f64::from);
-            (grid.max() - grid.min()) / DVec3::from(cells) * random.sign()
+            grid.around().size() / DVec3::from(cells) * random.sign()
         }
     };
     for axis in 0..3 {
@@ -314,7 +314,8 @@ fn random_rays_pierce_the_cells_that_exact_arithmetic_says() {
     let mut random = Seeded::new(62);
     let mut pierced = 0;
     for grid in &grids() {
-        let (middle, size) = (0.5 * (grid.min() + grid.max()), grid.max() - grid.min());
+        let around = grid.around();
+        let (middle, size) = (0.5 * (around.min + around.max), around.size());
         for _ in 0..700 {
             let to = middle + 0.5 * size * random.point(1.0);
             let from = middle + size * random.point(2.0);

@@ -210,7 +210,7 @@ mod tests {
     use super::*;
     use crate::geometry::Ray;
     use crate::trace::{
-        Arrival, Event, Outcome, PathStart, Photon, PhotonFate, RayEnd, RayStart, Recorder,
+        Arrival, Event, PathStart, Photon, PhotonVerdict, RayEnd, RayStart, RayVerdict, Recorder,
     };
     use glam::DVec3;
 
@@ -230,18 +230,18 @@ mod tests {
                 ..PathStart::default()
             })
         };
-        let photon = |chance, fate| {
+        let photon = |chance, verdict| {
             Event::Photon(Photon {
                 power: DVec3::splat(2.0),
                 chance,
                 diffuse: DVec3::new(0.5, 0.5, 0.25),
-                fate,
+                verdict,
                 ..Photon::default()
             })
         };
-        let end = |outcome| {
+        let end = |verdict| {
             Event::RayEnd(RayEnd {
-                outcome,
+                verdict,
                 ..RayEnd::default()
             })
         };
@@ -249,15 +249,15 @@ mod tests {
         for event in [
             start(0),
             Event::Ray(leg),
-            photon(0.375, PhotonFate::Diffused),
-            end(Outcome::Hit),
+            photon(0.375, PhotonVerdict::Diffused),
+            end(RayVerdict::Hit),
             Event::Ray(leg),
             Event::Arrival(Arrival::default()),
-            end(Outcome::Miss),
+            end(RayVerdict::Miss),
             start(1),
             Event::Ray(leg),
-            photon(0.75, PhotonFate::Absorbed),
-            end(Outcome::Absorbed),
+            photon(0.75, PhotonVerdict::Absorbed),
+            end(RayVerdict::Absorbed),
         ] {
             counts.note(|| event);
         }

@@ -6,7 +6,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::figure::sheet::frame::Frame;
-use crate::geometry::Ray;
+use crate::geometry::{Inside, Ray};
 use crate::scene::Camera;
 
 /// From where a scene is seen. No view foreshortens by distance: equal lengths that are parallel stay equal.
@@ -145,21 +145,15 @@ impl Stage {
     pub(super) fn leaves(&self, ray: &Ray) -> Option<f64> {
         let from = self.place(ray.origin);
         let along = self.direction(ray.direction) * self.scale;
-        let (mut first, mut last) = (0.0_f64, f64::INFINITY);
-        for axis in 0..2 {
-            // less than a thousandth of a unit of the sheet on the way of one of the scene: it stands still
-            if along[axis].abs() <= 1e-3 * self.scale {
-                if from[axis] < self.frame.min[axis] || self.frame.max[axis] < from[axis] {
-                    return None;
-                }
-                continue;
-            }
-            let [a, b] =
-                [self.frame.min, self.frame.max].map(|of| (of[axis] - from[axis]) / along[axis]);
-            first = first.max(a.min(b));
-            last = last.min(a.max(b));
-        }
-        (first <= last && last.is_finite()).then_some(last)
+        // less than a thousandth of a unit of the sheet on the way of one of the scene: it stands still
+        let stands_still = along.abs().cmple(DVec2::splat(1e-3 * self.scale));
+        let along = DVec2::select(stands_still, DVec2::ZERO, along);
+        let ahead = Inside {
+            near: 0.0,
+            far: f64::INFINITY,
+        };
+        let [_, last] = self.frame.inside(from, along, ahead).ends()?;
+        last.is_finite().then_some(last)
     }
 }
 

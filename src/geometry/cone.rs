@@ -208,7 +208,7 @@ impl Cone {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::geometry::{Fate, Root, Roots};
+    use crate::geometry::{Root, RootVerdict, Roots};
 
     /// Radius 1 around the y axis, from y = 0 to y = 2.
     fn cylinder() -> Cone {
@@ -221,26 +221,32 @@ mod tests {
     }
 
     #[track_caller]
-    fn check(cone: Cone, origin: [f64; 3], direction: [f64; 3], roots: &[(f64, Fate)]) {
+    fn check(cone: Cone, origin: [f64; 3], direction: [f64; 3], roots: &[(f64, RootVerdict)]) {
         let ray = Ray::new(origin.into(), direction.into());
         let test = cone.test(&ray, TRange::FORWARD, Sides::Both);
         let found: Vec<_> = test
             .roots
             .iter()
-            .map(|Root { t, fate }| (t, fate))
+            .map(|Root { t, verdict }| (t, verdict))
             .collect();
         assert_eq!(found, roots, "{test:?}");
     }
 
     #[test]
     fn a_cylinder_is_met_twice_across_its_axis() {
-        let roots = [(4.0, Fate::Chosen), (6.0, Fate::BeyondNearest)];
+        let roots = [
+            (4.0, RootVerdict::Chosen),
+            (6.0, RootVerdict::BeyondNearest),
+        ];
         check(cylinder(), [-5.0, 1.0, 0.0], [1.0, 0.0, 0.0], &roots);
     }
 
     #[test]
     fn above_the_apex_both_roots_are_beyond_the_ends() {
-        let roots = [(4.0, Fate::BeyondEnds), (6.0, Fate::BeyondEnds)];
+        let roots = [
+            (4.0, RootVerdict::BeyondEnds),
+            (6.0, RootVerdict::BeyondEnds),
+        ];
         check(cylinder(), [-5.0, 2.5, 0.0], [1.0, 0.0, 0.0], &roots);
     }
 
@@ -248,7 +254,7 @@ mod tests {
     fn the_cylinder_is_open_so_a_ray_through_its_mouth_hits_the_inside() {
         // from (0.5, 3, 0) down at 45°: x = 0.5 − t; the near root t = −0.5 lies behind, x = −1 at
         // t = 1.5 with y = 1.5
-        let roots = [(-0.5, Fate::Behind), (1.5, Fate::Chosen)];
+        let roots = [(-0.5, RootVerdict::Behind), (1.5, RootVerdict::Chosen)];
         check(cylinder(), [0.5, 3.0, 0.0], [-1.0, -1.0, 0.0], &roots);
     }
 
@@ -266,7 +272,7 @@ mod tests {
         assert_eq!(test.a, 0.0);
         let expected = Root {
             t: 1.5,
-            fate: Fate::Chosen,
+            verdict: RootVerdict::Chosen,
         };
         assert_eq!(test.roots, Roots::Linear(expected));
     }
@@ -302,7 +308,10 @@ mod tests {
 
     #[test]
     fn the_mirror_cone_above_the_tip_is_beyond_the_ends() {
-        let roots = [(4.0, Fate::BeyondEnds), (6.0, Fate::BeyondEnds)];
+        let roots = [
+            (4.0, RootVerdict::BeyondEnds),
+            (6.0, RootVerdict::BeyondEnds),
+        ];
         check(tip(), [-5.0, 3.0, 0.0], [1.0, 0.0, 0.0], &roots);
     }
 
@@ -362,11 +371,14 @@ mod tests {
 
     #[test]
     fn both_circles_belong_to_the_surface() {
-        let roots = [(4.0, Fate::Chosen), (6.0, Fate::BeyondNearest)];
+        let roots = [
+            (4.0, RootVerdict::Chosen),
+            (6.0, RootVerdict::BeyondNearest),
+        ];
         for y in [0.0, 2.0] {
             check(cylinder(), [-5.0, y, 0.0], [1.0, 0.0, 0.0], &roots);
         }
-        let beyond = roots.map(|(t, _)| (t, Fate::BeyondEnds));
+        let beyond = roots.map(|(t, _)| (t, RootVerdict::BeyondEnds));
         for y in [-f64::EPSILON, 2.0 + 2.0 * f64::EPSILON] {
             check(cylinder(), [-5.0, y, 0.0], [1.0, 0.0, 0.0], &beyond);
         }
@@ -421,9 +433,9 @@ mod tests {
         // as above from (−3, 2, 0), to t = 1.5 on the outside
         let ray = Ray::new(DVec3::new(-3.0, 2.0, 0.0), DVec3::new(1.0, -1.0, 0.0));
         let root = |sides| tip().test(&ray, TRange::FORWARD, sides).roots;
-        let expected = |fate| Roots::Linear(Root { t: 1.5, fate });
-        assert_eq!(root(Sides::Front), expected(Fate::Chosen));
-        assert_eq!(root(Sides::Back), expected(Fate::FrontFace));
+        let expected = |verdict| Roots::Linear(Root { t: 1.5, verdict });
+        assert_eq!(root(Sides::Front), expected(RootVerdict::Chosen));
+        assert_eq!(root(Sides::Back), expected(RootVerdict::FrontFace));
     }
 
     #[test]

@@ -72,7 +72,7 @@ impl OrientedEllipsoid {
     /// brought to that, so that the factor is 17/16 at most.
     #[must_use]
     #[inline]
-    pub fn widened(&self, room: f64) -> Self {
+    pub fn with_room(&self, room: f64) -> Self {
         /// A needle would else grow along its length by as much as across.
         const LEAST: f64 = 16.0;
         let radii = self.radii.max(DVec3::splat(LEAST * room));
@@ -130,8 +130,8 @@ mod tests {
         let ray = Ray::new(DVec3::new(-9.0, 0.0, 1.01), DVec3::X);
         let test = TURNED.test(&ray, TRange::FORWARD, Sides::Both);
         assert_eq!(test.roots, Roots::None);
-        // widened by 0.02 the short half axis is 1.02
-        let wider = TURNED.widened(0.02);
+        // with a room of 0.02 the short half axis is 1.02
+        let wider = TURNED.with_room(0.02);
         assert_eq!(wider.radii, DVec3::new(2.04, 1.02, 4.08));
         let test = wider.test(&ray, TRange::FORWARD, Sides::Both);
         assert!(matches!(test.roots, Roots::Two { .. }), "{test:?}");
@@ -165,7 +165,7 @@ mod tests {
             radii: 2.0 * TURNED.radii,
             ..TURNED
         };
-        assert_eq!(larger.widened(0.125).radii, DVec3::new(4.25, 2.125, 8.5));
+        assert_eq!(larger.with_room(0.125).radii, DVec3::new(4.25, 2.125, 8.5));
     }
 
     #[test]

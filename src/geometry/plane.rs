@@ -110,7 +110,7 @@ pub struct PlaneTest {
 /// Does a ray meet a plane?
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum PlaneVerdict {
-    /// The line does, at this t; the root's fate says whether the ray does (erratum 12).
+    /// The line does, at this t; the root's verdict says whether the ray does (erratum 12).
     Meets(Root),
     /// Parallel, beside the plane.
     ParallelBeside,
@@ -130,7 +130,7 @@ impl PlaneTest {
     pub fn chosen(&self) -> Option<f64> {
         match self.verdict {
             PlaneVerdict::Meets(root) => {
-                (root.fate == crate::geometry::Fate::Chosen).then_some(root.t)
+                (root.verdict == crate::geometry::RootVerdict::Chosen).then_some(root.t)
             }
             PlaneVerdict::ParallelBeside | PlaneVerdict::ParallelWithin => None,
         }
@@ -265,7 +265,7 @@ impl Plane {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::geometry::Fate;
+    use crate::geometry::RootVerdict;
 
     const FLOOR: Plane = Plane {
         normal: DVec3::Y,
@@ -302,7 +302,7 @@ mod tests {
     fn a_line_that_meets_the_plane_behind_the_origin_is_no_hit() {
         let behind = Root {
             t: -2.0,
-            fate: Fate::Behind,
+            verdict: RootVerdict::Behind,
         };
         check(
             [0.0, 2.0, 0.0],
@@ -314,13 +314,13 @@ mod tests {
     #[test]
     fn the_back_is_refused_where_only_the_front_shows() {
         let from_below = Ray::new(-DVec3::Y, DVec3::Y);
-        let fate = |sides| match FLOOR.test(&from_below, TRange::FORWARD, sides).verdict {
-            PlaneVerdict::Meets(root) => root.fate,
+        let verdict = |sides| match FLOOR.test(&from_below, TRange::FORWARD, sides).verdict {
+            PlaneVerdict::Meets(root) => root.verdict,
             other => panic!("{other:?}"),
         };
-        assert_eq!(fate(Sides::Both), Fate::Chosen);
-        assert_eq!(fate(Sides::Front), Fate::BackFace);
-        assert_eq!(fate(Sides::Back), Fate::Chosen);
+        assert_eq!(verdict(Sides::Both), RootVerdict::Chosen);
+        assert_eq!(verdict(Sides::Front), RootVerdict::BackFace);
+        assert_eq!(verdict(Sides::Back), RootVerdict::Chosen);
     }
 
     #[test]

@@ -103,13 +103,11 @@ impl Polygon {
         let counted = if self.plane.is_flat(ray) {
             None
         } else {
-            let margin = self.margin(ray, t);
+            let clear = self.clear_tolerance(ray, t);
             // the same for three corners as for many, but three are counted without a loop
             match &self.corners {
-                Corners::Triangle { outline, .. } => clear_crossings(outline, projected, margin),
-                Corners::Many { outline, .. } => {
-                    clear_crossings_of_many(outline, projected, margin)
-                }
+                Corners::Triangle { outline, .. } => clear_crossings(outline, projected, clear),
+                Corners::Many { outline, .. } => clear_crossings_of_many(outline, projected, clear),
             }
         };
         let (crossings, decided_by) = match counted {
@@ -135,7 +133,7 @@ impl Polygon {
     ) -> impl Iterator<Item = EdgeTest> + 'a {
         let line = RayLine::new(ray);
         (0..self.outline().len()).filter_map(move |index| match test.decided_by {
-            // a blur of 0 leaves no edge uncertain but those through p′, and there are none
+            // a tolerance of 0 leaves no edge uncertain but those through p′, and there are none
             DecidedBy::Point => self.edge_by_point(index, test.projected, 0.0),
             DecidedBy::Ray => Some(self.edge_by_ray(index, &line)),
         })
@@ -148,29 +146,29 @@ impl Polygon {
     /// the rounding of o + t·Δ, and the vertices' distance from the plane. 32ε covers the some twenty
     /// roundings of the first two. The third has the rounding of the largest vertex in it, and with that
     /// the sign of `side` for an edge that p′ is level with but not near.
-    pub(super) fn blur(&self, ray: &Ray, t: f64) -> f64 {
+    pub(super) fn tolerance(&self, ray: &Ray, t: f64) -> f64 {
         let spread = ray.direction.abs().element_sum();
         let flatness = spread / self.plane.normal.dot(ray.direction).abs();
-        self.upright_blur(ray, t) * flatness
+        self.upright_tolerance(ray, t) * flatness
     }
 
     /// The same for a ray along the normal: the errors before they are stretched.
     #[inline]
-    fn upright_blur(&self, ray: &Ray, t: f64) -> f64 {
+    fn upright_tolerance(&self, ray: &Ray, t: f64) -> f64 {
         let spread = ray.direction.abs().element_sum();
         let reach = ray.origin.abs().element_sum() + t.abs() * spread + self.plane.d.abs();
         OUTLINE_ROUNDING * reach + self.off_plane
     }
 
-    /// Further than this from the line of an edge, a ray that is not flat is clear of it: four times a blur
-    /// that is stretched by 64.
+    /// Further than this from the line of an edge, a ray that is not flat is clear of it: four times the tolerance of the
+    /// flattest such ray, which is stretched by 64.
     #[inline]
-    fn margin(&self, ray: &Ray, t: f64) -> f64 {
-        4.0 / FLAT * self.upright_blur(ray, t)
+    fn clear_tolerance(&self, ray: &Ray, t: f64) -> f64 {
+        4.0 / FLAT * self.upright_tolerance(ray, t)
     }
 
-    /// Does the edge cross the half-line from p′ along u? `None` if p′ is within `blur` of the edge.
-    fn edge_by_point(&self, index: usize, p: DVec2, blur: f64) -> Option<EdgeTest> {
+    /// Does the edge cross the half-line from p′ along u? `None` if p′ is within `tolerance` of the edge.
+    fn edge_by_point(&self, index: usize, p: DVec2, tolerance: f64) -> Option<EdgeTest> {
         let outline = self.outline();
         let (from, to) = (outline[index], outline[self.next(index)]);
         let along = to - from;
@@ -178,13 +176,13 @@ impl Polygon {
         // twice the area of (from, to, p′); over along.y it is how far to the right the edge passes
         let side = along.x * (p.y - from.y) - along.y * (p.x - from.x);
 
-        let (low, high) = (from.min(to) - blur, from.max(to) + blur);
+        let (low, high) = (from.min(to) - tolerance, from.max(to) + tolerance);
         let near = low.x <= p.x && p.x <= high.x && low.y <= p.y && p.y <= high.y;
         if near {
             let rounding = 16.0
                 * f64::EPSILON
                 * ((along.x * (p.y - from.y)).abs() + (along.y * (p.x - from.x)).abs());
-            if side.abs() <= blur * (along.x.abs() + along.y.abs()) + rounding {
+            if side.abs() <= tolerance * (along.x.abs() + along.y.abs()) + rounding {
                 return None;
             }
         }
@@ -205,10 +203,10 @@ impl Polygon {
     fn crossings_near_an_edge(&self, ray: &Ray, t: f64, p: DVec2) -> (u32, DecidedBy) {
         // a flat ray's t may have been moved by as much as its error is
         let moved = if self.plane.is_flat(ray) { 2.0 } else { 1.0 };
-        let blur = moved * self.blur(ray, t);
+        let tolerance = moved * self.tolerance(ray, t);
         let mut crossings = 0;
         for index in 0..self.outline().len() {
-            match self.edge_by_point(index, p, blur) {
+            match self.edge_by_point(index, p, tolerance) {
                 Some(edge) => crossings += u32::from(edge.counts),
                 None => return (self.crossings_by_ray(ray), DecidedBy::Ray),
             }
@@ -251,15 +249,15 @@ impl Polygon {
     }
 }
 
-/// How many edges cross the half-line from p′ along u? `None` if p′ is not clear of the line of each by
-/// `margin`, four times its blur or more.
+/// How many edges cross the half-line from p′ along u? `None` if p′ is not further than `clear` from the line of each:
+/// four times its tolerance or more.
 ///
 /// Clear of it, an edge counts as in the working (`edge_by_point`). That doubts an edge where p′ is within
-/// its blur and the rounding of `side`; the latter is
+/// its tolerance and the rounding of `side`; the latter is
 /// 16ε(|Δu·(p_v − v)| + |Δv·(p_u − u)|) ≤ 16ε(|Δu| + |Δv|)(|p′| + |vertex|), and so no more than twice
-/// (|Δu| + |Δv|)·blur, since the blur has 32ε|p′| and 8ε|vertex| in it.
+/// (|Δu| + |Δv|)·tolerance, since the tolerance has 32ε|p′| and 8ε|vertex| in it.
 #[inline]
-pub(crate) fn clear_crossings(outline: &[DVec2], p: DVec2, margin: f64) -> Option<u32> {
+pub(crate) fn clear_crossings(outline: &[DVec2], p: DVec2, clear: f64) -> Option<u32> {
     let mut crossings = 0;
     let mut is_clear = true;
     let mut from = *outline.last()?;
@@ -267,7 +265,7 @@ pub(crate) fn clear_crossings(outline: &[DVec2], p: DVec2, margin: f64) -> Optio
         let along = to - from;
         let (from_above, to_above) = (p.y < from.y, p.y < to.y);
         let side = along.x * (p.y - from.y) - along.y * (p.x - from.x);
-        is_clear &= margin * (along.x.abs() + along.y.abs()) < side.abs();
+        is_clear &= clear * (along.x.abs() + along.y.abs()) < side.abs();
         // an edge that straddles rises if its second end is above
         crossings += u32::from(from_above != to_above && (0.0 < side) == to_above);
         from = to;
@@ -277,8 +275,8 @@ pub(crate) fn clear_crossings(outline: &[DVec2], p: DVec2, margin: f64) -> Optio
 
 /// The same for any other number of corners: apart, so that the code for three is short enough to be inlined.
 #[inline(never)]
-fn clear_crossings_of_many(outline: &[DVec2], p: DVec2, margin: f64) -> Option<u32> {
-    clear_crossings(outline, p, margin)
+fn clear_crossings_of_many(outline: &[DVec2], p: DVec2, clear: f64) -> Option<u32> {
+    clear_crossings(outline, p, clear)
 }
 
 /// The line of a ray, given by two points so that the exact predicates can be asked about it.
@@ -444,21 +442,21 @@ mod tests {
         // ε of 32(|o| + |t||Δ| + |D|) + 8·17, the last for the vertex (6, 6, 5): 32(3 + 5 + 5) + 136 = 552
         let (u, eps) = (u_shape(), f64::EPSILON);
         let upright = Ray::new(DVec3::new(1.0, 2.0, 0.0), DVec3::new(0.0, 0.0, 2.0));
-        assert_eq!(u.blur(&upright, 2.5), 552.0 * eps);
-        assert_eq!(u.margin(&upright, 2.5), 4.0 * 64.0 * 552.0 * eps);
+        assert_eq!(u.tolerance(&upright, 2.5), 552.0 * eps);
+        assert_eq!(u.clear_tolerance(&upright, 2.5), 4.0 * 64.0 * 552.0 * eps);
         // (3, 0, 1) has |Δ| = 4 for 1 along the normal: 32(3 + 20 + 5) + 136, four times
         let slanted = Ray::new(DVec3::new(1.0, 2.0, 0.0), DVec3::new(3.0, 0.0, 1.0));
-        assert_eq!(u.blur(&slanted, 5.0), 4.0 * 1032.0 * eps);
+        assert_eq!(u.tolerance(&slanted, 5.0), 4.0 * 1032.0 * eps);
         // whichever signs the numbers have
         let behind = Ray::new(DVec3::new(-1.0, -2.0, 0.0), DVec3::new(-3.0, 0.0, -1.0));
-        assert_eq!(u.blur(&behind, -5.0), 4.0 * 1032.0 * eps);
+        assert_eq!(u.tolerance(&behind, -5.0), 4.0 * 1032.0 * eps);
     }
 
     #[test]
     fn within_the_blur_of_an_edge_the_point_does_not_decide() {
-        let near = |polygon: &Polygon, index, (x, y), blur| {
+        let near = |polygon: &Polygon, index, (x, y), tolerance| {
             polygon
-                .edge_by_point(index, DVec2::new(x, y), blur)
+                .edge_by_point(index, DVec2::new(x, y), tolerance)
                 .is_none()
         };
         // the bottom from (0, 0) to (6, 0), the right side from (6, 0) to (6, 6), ¼ around them
@@ -520,18 +518,18 @@ mod tests {
         let u = u_shape();
         let upright = Ray::new(DVec3::new(3.0, 1.0, 0.0), DVec3::Z);
         let flat = Ray::new(DVec3::new(3.0, 1.0, 0.0), DVec3::new(1.0, 0.0, 1.0 / 128.0));
-        // so many blurs below the bottom
-        for (ray, blurs, decided_by) in [
+        // so many tolerances below the bottom
+        for (ray, tolerances, decided_by) in [
             (upright, 0.5, DecidedBy::Ray),
             (upright, 1.5, DecidedBy::Point),
             (flat, 1.5, DecidedBy::Ray),
             (flat, 2.5, DecidedBy::Point),
         ] {
-            let p = DVec2::new(3.0, -blurs * u.blur(&ray, 5.0));
+            let p = DVec2::new(3.0, -tolerances * u.tolerance(&ray, 5.0));
             assert_eq!(
                 u.crossings_near_an_edge(&ray, 5.0, p).1,
                 decided_by,
-                "{blurs}"
+                "{tolerances}"
             );
         }
     }
@@ -576,7 +574,7 @@ mod tests {
         for (u, v) in [(1.0, 1.0), (-1.0, 1.0), (1.0, -1.0), (-1.0, -1.0)] {
             let mirror = DVec2::new(u, v);
             let outline = [[0.0, 0.0], [4.0, 0.0], [0.0, 4.0]].map(|p| mirror * DVec2::from(p));
-            let crossings = |margin| clear_crossings(&outline, mirror, margin);
+            let crossings = |clear| clear_crossings(&outline, mirror, clear);
             assert_eq!(crossings(1.0_f64.next_down()), Some(1));
             assert_eq!((crossings(1.0), crossings(1.01)), (None, None));
         }

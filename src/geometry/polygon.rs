@@ -167,8 +167,9 @@ impl Polygon {
         self.off_plane
     }
 
-    /// How far a computed hit may lie off the vertices' extent: they are not quite in one plane.
-    pub fn play(&self) -> f64 {
+    /// How far a computed hit may lie off the vertices' extent, as they are not quite in one plane: the room that a volume
+    /// around the polygon has for that. A length.
+    pub fn room(&self) -> f64 {
         self.off_plane * FLATTEST
     }
 
@@ -208,7 +209,7 @@ impl Polygon {
     /// else t itself, for then the ray misses the polygon.
     #[cold]
     fn settled_in_outline(&self, ray: &Ray, t: f64) -> f64 {
-        let error = self.blur(ray, t) / ray.direction.abs().element_sum();
+        let error = self.tolerance(ray, t) / ray.direction.abs().element_sum();
         self.nearest_in_outline(ray, t)
             .filter(|nearest| (nearest - t).abs() <= error)
             .unwrap_or(t)
@@ -546,9 +547,9 @@ mod tests {
         // a hit may lie 64 times as far off as the vertices do
         let polygon = Polygon::new(saddle(1e-6, 0.0), None).unwrap();
         assert!(
-            (polygon.play() - 64e-6).abs() <= 1e-12,
+            (polygon.room() - 64e-6).abs() <= 1e-12,
             "{}",
-            polygon.play()
+            polygon.room()
         );
     }
 

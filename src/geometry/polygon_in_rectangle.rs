@@ -2,38 +2,19 @@
 
 use glam::DVec2;
 
+use crate::geometry::clip_to_rectangle;
+
 /// The area that a polygon shares with a rectangle along the axes, in square units.
 ///
-/// The polygon is cut off at each of the four sides in turn (I. Sutherland and G. Hodgman, *Reentrant polygon
-/// clipping*, 1974). Where a concave polygon falls into pieces, edges along the side connect them; they enclose
-/// nothing, so that the area is right.
+/// The polygon is cut off at each of the four sides in turn. Where a concave polygon falls into pieces, edges along the
+/// side connect them; they enclose nothing, so that the area is right.
 ///
 /// A = ½ |Σ pᵢ × pᵢ₊₁|. Fewer than three vertices share nothing.
 pub fn polygon_in_rectangle(outline: &[DVec2], low: DVec2, high: DVec2) -> f64 {
-    let mut piece = outline.to_vec();
-    for axis in 0..2 {
-        piece = cut_off(&piece, |p| p[axis] - low[axis]);
-        piece = cut_off(&piece, |p| high[axis] - p[axis]);
-    }
+    let piece = clip_to_rectangle(outline, low, high);
     let next = piece.iter().cycle().skip(1);
     let twice: f64 = piece.iter().zip(next).map(|(p, q)| p.perp_dot(*q)).sum();
     0.5 * twice.abs()
-}
-
-/// What is left of a polygon where the distance from a line is not negative.
-fn cut_off(outline: &[DVec2], distance: impl Fn(DVec2) -> f64) -> Vec<DVec2> {
-    let mut kept = Vec::with_capacity(outline.len() + 2);
-    let next = outline.iter().cycle().skip(1);
-    for (&p, &q) in outline.iter().zip(next) {
-        let [at_p, at_q] = [p, q].map(&distance);
-        if 0.0 <= at_p {
-            kept.push(p);
-        }
-        if (0.0 <= at_p) != (0.0 <= at_q) {
-            kept.push(p + (q - p) * (at_p / (at_p - at_q)));
-        }
-    }
-    kept
 }
 
 #[cfg(test)]

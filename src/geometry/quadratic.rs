@@ -9,7 +9,7 @@
 //!   −b and the square root have one sign is computed first; the other follows from t₁·t₂ = c/a.
 
 use crate::geometry::root::{hidden_side, judged, two_roots};
-use crate::geometry::{Fate, Roots, Sides, TRange};
+use crate::geometry::{RootVerdict, Roots, Sides, TRange};
 
 /// A ray grazes a surface if its discriminant is within this share of its larger term.
 ///
@@ -66,7 +66,7 @@ impl Quadratic {
         }
     }
 
-    /// The real roots and their fates.
+    /// The real roots and their verdicts.
     ///
     /// `beyond_ends` says whether the surface ends before t.
     #[inline]
@@ -74,7 +74,7 @@ impl Quadratic {
         let judge = |t, entering| {
             judged(t, range, |t| {
                 if beyond_ends(t) {
-                    return Some(Fate::BeyondEnds);
+                    return Some(RootVerdict::BeyondEnds);
                 }
                 hidden_side(entering, sides)
             })
@@ -164,7 +164,7 @@ mod tests {
         let tolerance = 2.0_f64.powi(-44);
         let graze = Roots::Graze(Root {
             t: 3.0,
-            fate: Fate::Chosen,
+            verdict: RootVerdict::Chosen,
         });
         for discriminant in [-tolerance, 0.0, tolerance] {
             assert_eq!(roots(discriminant, 64.0), graze, "{discriminant}");
@@ -206,7 +206,7 @@ mod tests {
         };
         let graze = Root {
             t: 2.5,
-            fate: Fate::Chosen,
+            verdict: RootVerdict::Chosen,
         };
         let test = equation.test(TRange::FORWARD, Sides::Both, |_| false);
         assert_eq!(test.roots, Roots::Graze(graze));

@@ -8,7 +8,7 @@ use crate::geometry::TRange;
 
 /// Why is a root the hit, or why not?
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Fate {
+pub enum RootVerdict {
     /// The smallest t that counts: the hit.
     Chosen,
     /// t ≤ 0: behind the origin, or the origin itself.
@@ -47,7 +47,7 @@ pub struct Root {
     /// Along the ray.
     pub t: f64,
     /// Chosen, or the reason why not.
-    pub fate: Fate,
+    pub verdict: RootVerdict,
 }
 
 /// Where does a ray meet a surface of second degree, or a box?
@@ -73,7 +73,7 @@ impl Roots {
     /// The hit, if there is one.
     #[inline]
     pub fn chosen(&self) -> Option<f64> {
-        let hit = |root: &Root| (root.fate == Fate::Chosen).then_some(root.t);
+        let hit = |root: &Root| (root.verdict == RootVerdict::Chosen).then_some(root.t);
         match self {
             Self::None => None,
             Self::Graze(root) | Self::Linear(root) => hit(root),
@@ -94,46 +94,50 @@ impl Roots {
 
 /// Where is t: behind, too near, too far, or the hit?
 #[inline]
-pub(crate) fn fate_of(t: f64, range: TRange) -> Fate {
+pub(crate) fn verdict_of(t: f64, range: TRange) -> RootVerdict {
     if t.abs() < range.min {
-        Fate::BelowEpsilon
+        RootVerdict::BelowEpsilon
     } else if t <= 0.0 {
-        Fate::Behind
+        RootVerdict::Behind
     } else if t <= range.max {
-        Fate::Chosen
+        RootVerdict::Chosen
     } else {
-        Fate::BeyondNearest
+        RootVerdict::BeyondNearest
     }
 }
 
 /// Can the side be seen that the ray meets? `entering` means that it meets the front.
 #[inline]
-pub(crate) fn hidden_side(entering: bool, sides: Sides) -> Option<Fate> {
+pub(crate) fn hidden_side(entering: bool, sides: Sides) -> Option<RootVerdict> {
     match sides {
-        Sides::Front if !entering => Some(Fate::BackFace),
-        Sides::Back if entering => Some(Fate::FrontFace),
+        Sides::Front if !entering => Some(RootVerdict::BackFace),
+        Sides::Back if entering => Some(RootVerdict::FrontFace),
         _ => None,
     }
 }
 
-/// Two roots, each with a fate of its own: once `near` is chosen, `far` lies beyond the nearest.
+/// Two roots, each with a verdict of its own: once `near` is chosen, `far` lies beyond the nearest.
 #[inline]
 pub(super) fn two_roots(near: Root, mut far: Root) -> Roots {
-    if near.fate == Fate::Chosen && far.fate == Fate::Chosen {
-        far.fate = Fate::BeyondNearest;
+    if near.verdict == RootVerdict::Chosen && far.verdict == RootVerdict::Chosen {
+        far.verdict = RootVerdict::BeyondNearest;
     }
     Roots::Two { near, far }
 }
 
-/// One root with its fate: first where it lies, then what the surface itself refuses.
+/// One root with its verdict: first where it lies, then what the surface itself refuses.
 #[inline]
-pub(super) fn judged(t: f64, range: TRange, mut refused: impl FnMut(f64) -> Option<Fate>) -> Root {
-    let fate = match fate_of(t, range) {
-        Fate::Behind => Fate::Behind,
-        Fate::BelowEpsilon => Fate::BelowEpsilon,
+pub(super) fn judged(
+    t: f64,
+    range: TRange,
+    mut refused: impl FnMut(f64) -> Option<RootVerdict>,
+) -> Root {
+    let verdict = match verdict_of(t, range) {
+        RootVerdict::Behind => RootVerdict::Behind,
+        RootVerdict::BelowEpsilon => RootVerdict::BelowEpsilon,
         place => refused(t).unwrap_or(place),
     };
-    Root { t, fate }
+    Root { t, verdict }
 }
 
 #[cfg(test)]
@@ -146,18 +150,18 @@ mod tests {
             min: 0.25,
             max: 4.0,
         };
-        for (t, fate) in [
-            (0.25, Fate::Chosen),
-            (0.25_f64.next_down(), Fate::BelowEpsilon),
-            (-0.25_f64.next_down(), Fate::BelowEpsilon),
-            (-0.25, Fate::Behind),
-            (4.0, Fate::Chosen),
-            (4.0_f64.next_up(), Fate::BeyondNearest),
+        for (t, verdict) in [
+            (0.25, RootVerdict::Chosen),
+            (0.25_f64.next_down(), RootVerdict::BelowEpsilon),
+            (-0.25_f64.next_down(), RootVerdict::BelowEpsilon),
+            (-0.25, RootVerdict::Behind),
+            (4.0, RootVerdict::Chosen),
+            (4.0_f64.next_up(), RootVerdict::BeyondNearest),
         ] {
-            assert_eq!(fate_of(t, range), fate, "{t}");
+            assert_eq!(verdict_of(t, range), verdict, "{t}");
         }
         for t in [0.0, -0.0] {
-            assert_eq!(fate_of(t, TRange::FORWARD), Fate::Behind, "{t}");
+            assert_eq!(verdict_of(t, TRange::FORWARD), RootVerdict::Behind, "{t}");
         }
     }
 }

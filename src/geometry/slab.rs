@@ -41,6 +41,36 @@ pub enum SlabInterval {
     ParallelOutside,
 }
 
+impl SlabInterval {
+    /// Which t lie between two planes across an axis, `low` not above `high`, for a ray that starts at the coordinate
+    /// `origin` and moves by `direction` along that axis while t grows by 1?
+    ///
+    /// t = (plane − origin)/direction; parallel if `direction` is 0. One division for each plane and no T: the form for
+    /// a box whose slabs a ray meets once.
+    ///
+    /// ```
+    /// use raystep::SlabInterval;
+    ///
+    /// let back = SlabInterval::across_axis(5.0, -0.5, [1.0, 3.0]);
+    /// assert_eq!(back, SlabInterval::Between { near: 4.0, far: 8.0 });
+    /// ```
+    #[inline]
+    pub fn across_axis(origin: f64, direction: f64, [low, high]: [f64; 2]) -> Self {
+        if direction == 0.0 {
+            return if low <= origin && origin <= high {
+                Self::ParallelInside
+            } else {
+                Self::ParallelOutside
+            };
+        }
+        let [a, b] = [low, high].map(|plane| (plane - origin) / direction);
+        Self::Between {
+            near: a.min(b),
+            far: a.max(b),
+        }
+    }
+}
+
 impl SlabRay {
     /// S and T for a ray and a normal (A, B, C).
     #[inline]
@@ -122,6 +152,26 @@ mod tests {
             interval([5.0, 0.0, 0.0], [-1.0, 0.0, 0.0], [1.0, 0.0, 0.0]),
             between(2.0, 4.0)
         );
+    }
+
+    #[test]
+    fn across_an_axis_the_interval_is_that_of_the_slab() {
+        let between = |near, far| SlabInterval::Between { near, far };
+        for (origin, direction, expected) in [
+            (0.0, 1.0, between(1.0, 3.0)),
+            (5.0, -1.0, between(2.0, 4.0)),
+            (2.0, 0.5, between(-2.0, 2.0)),
+            (1.0, 0.0, SlabInterval::ParallelInside),
+            (3.0, -0.0, SlabInterval::ParallelInside),
+            (3.25, 0.0, SlabInterval::ParallelOutside),
+            (0.75, -0.0, SlabInterval::ParallelOutside),
+        ] {
+            let found = SlabInterval::across_axis(origin, direction, [1.0, 3.0]);
+            assert_eq!(found, expected, "{origin} {direction}");
+            // −3 ≤ D ≤ −1 along x
+            let slab = interval([origin, 0.0, 0.0], [direction, 1.0, 0.0], [1.0, 0.0, 0.0]);
+            assert_eq!(slab, expected, "{origin} {direction}");
+        }
     }
 
     #[test]

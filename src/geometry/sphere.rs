@@ -111,15 +111,15 @@ fn with_twice_the_precision(ray: &Ray, center: DVec3, radius: f64) -> (f64, f64)
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::geometry::{Fate, Root, Roots};
+    use crate::geometry::{Root, RootVerdict, Roots};
 
     const UNIT: Sphere = Sphere {
         center: DVec3::ZERO,
         radius: 1.0,
     };
 
-    fn root(t: f64, fate: Fate) -> Root {
-        Root { t, fate }
+    fn root(t: f64, verdict: RootVerdict) -> Root {
+        Root { t, verdict }
     }
 
     #[track_caller]
@@ -140,7 +140,7 @@ mod tests {
 
     #[test]
     fn ray_along_a_tangent_grazes_in_one_root() {
-        let roots = Roots::Graze(root(5.0, Fate::Chosen));
+        let roots = Roots::Graze(root(5.0, RootVerdict::Chosen));
         check(
             UNIT,
             [-5.0, 1.0, 0.0],
@@ -153,8 +153,8 @@ mod tests {
     #[test]
     fn ray_through_the_center_has_two_roots_and_the_nearer_is_the_hit() {
         let roots = Roots::Two {
-            near: root(4.0, Fate::Chosen),
-            far: root(6.0, Fate::BeyondNearest),
+            near: root(4.0, RootVerdict::Chosen),
+            far: root(6.0, RootVerdict::BeyondNearest),
         };
         check(
             UNIT,
@@ -168,8 +168,8 @@ mod tests {
     #[test]
     fn ray_starting_inside_the_sphere_hits_the_far_root() {
         let roots = Roots::Two {
-            near: root(-1.0, Fate::Behind),
-            far: root(1.0, Fate::Chosen),
+            near: root(-1.0, RootVerdict::Behind),
+            far: root(1.0, RootVerdict::Chosen),
         };
         check(UNIT, [0.0; 3], [0.0, 1.0, 0.0], TRange::FORWARD, roots);
     }
@@ -177,8 +177,8 @@ mod tests {
     #[test]
     fn sphere_behind_the_origin_has_both_roots_behind() {
         let roots = Roots::Two {
-            near: root(-6.0, Fate::Behind),
-            far: root(-4.0, Fate::Behind),
+            near: root(-6.0, RootVerdict::Behind),
+            far: root(-4.0, RootVerdict::Behind),
         };
         check(
             UNIT,
@@ -200,16 +200,22 @@ mod tests {
         let Roots::Two { near, far } = UNIT.test(&ray, range, Sides::Both).roots else {
             panic!("two roots");
         };
-        assert_eq!((near.fate, far.fate), (Fate::BelowEpsilon, Fate::Chosen));
+        assert_eq!(
+            (near.verdict, far.verdict),
+            (RootVerdict::BelowEpsilon, RootVerdict::Chosen)
+        );
     }
 
     #[test]
     fn a_root_at_the_end_of_the_range_counts_and_one_beyond_it_does_not() {
-        let far = root(6.0, Fate::BeyondNearest);
-        let near = |fate| root(4.0, fate);
-        for (max, fate) in [(4.0, Fate::Chosen), (3.999, Fate::BeyondNearest)] {
+        let far = root(6.0, RootVerdict::BeyondNearest);
+        let near = |verdict| root(4.0, verdict);
+        for (max, verdict) in [
+            (4.0, RootVerdict::Chosen),
+            (3.999, RootVerdict::BeyondNearest),
+        ] {
             let roots = Roots::Two {
-                near: near(fate),
+                near: near(verdict),
                 far,
             };
             check(

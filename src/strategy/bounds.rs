@@ -11,7 +11,7 @@ use crate::scene::{PrimitiveId, Scene};
 use crate::strategy::slab_rays::note_slab_rays;
 use crate::strategy::{Search, Strategy};
 use crate::structure::{SlabSet, Volume, VolumeKind, VolumeRay, reach, room};
-use crate::trace::{BoundOutcome, BoundTest, Bounded, Event, Recorder, SlabTest};
+use crate::trace::{BoundTest, BoundVerdict, Bounded, Event, Recorder, SlabTest};
 
 /// Tests a ray against the volume around each object, in the order of the scene, and if it meets that where
 /// a hit still counts, against the object.
@@ -71,17 +71,17 @@ impl<'a, const N: usize> BoundedObjects<'a, N> {
             other => inside = other.inside(ray, &self.set),
         }
         let inside = inside.and_then(|inside| inside.ends());
-        let outcome = BoundOutcome::of(inside, range);
+        let verdict = BoundVerdict::of(inside, range);
         recorder.note(|| {
             Event::BoundTest(BoundTest {
                 of,
                 volume: self.kind,
                 inside,
                 room: ray.room(),
-                outcome,
+                verdict,
             })
         });
-        outcome == BoundOutcome::Hit
+        verdict == BoundVerdict::Hit
     }
 }
 
@@ -94,7 +94,7 @@ impl<const N: usize> Strategy for BoundedObjects<'_, N> {
     ) -> ControlFlow<()> {
         let line = VolumeRay::new(ray, &self.set, self.room(ray));
         if self.kind == VolumeKind::Slabs {
-            note_slab_rays(ray, &self.set, recorder);
+            note_slab_rays(line.across_set(), &self.set, recorder);
         }
         for (number, object) in (0..).zip(&self.scene.objects) {
             if !self.meets(number, &line, search.range(), recorder) {
@@ -123,9 +123,9 @@ mod tests {
     use crate::strategy::noted::{noted, noted_in};
 
     /// What becomes of each volume, and how many objects are tested.
-    fn outcomes(events: &[Event]) -> (Vec<BoundOutcome>, usize) {
+    fn verdicts(events: &[Event]) -> (Vec<BoundVerdict>, usize) {
         let bounds = events.iter().filter_map(|event| match event {
-            Event::BoundTest(test) => Some(test.outcome),
+            Event::BoundTest(test) => Some(test.verdict),
             _ => None,
         });
         let is_test = |event: &&Event| event.object_tested().0;
@@ -134,7 +134,7 @@ mod tests {
 
     #[test]
     fn an_object_is_tested_if_the_ray_meets_its_volume_where_a_hit_still_counts() {
-        use BoundOutcome::{Behind, Beyond, Hit, Missed};
+        use BoundVerdict::{Behind, Beyond, Hit, Missed};
         let scene = scene_of(&[
             cube_at(3.0),
             cube_at(7.0),
@@ -152,7 +152,7 @@ mod tests {
             let (events, hit) = noted(&strategy, &ray);
             assert_eq!(hit.map(|hit| (hit.object.0, hit.t)), Some((0, 3.0)));
             assert_eq!(
-                outcomes(&events),
+                verdicts(&events),
                 (vec![Hit, Beyond, Behind, Missed], 1),
                 "{kind:?}"
             );
@@ -161,11 +161,11 @@ mod tests {
 
     #[test]
     fn a_range_that_ends_at_the_volume_or_begins_there_still_counts() {
-        use BoundOutcome::{Behind, Beyond, Hit};
+        use BoundVerdict::{Behind, Beyond, Hit};
         let scene = scene_of(&[cube_at(3.0)]);
         let strategy = BoundedObjects::new(&scene, VolumeKind::Box, &SlabSet::AXES);
         let ray = Ray::new(DVec3::new(0.0, 0.5, 0.5), DVec3::X);
-        let of = |min, max| outcomes(&noted_in(&strategy, &ray, TRange { min, max }).0).0[0];
+        let of = |min, max| verdicts(&noted_in(&strategy, &ray, TRange { min, max }).0).0[0];
         assert_eq!(of(0.0, 3.0), Hit);
         assert_eq!(of(0.0, 2.9), Beyond);
         assert_eq!(of(4.0, 9.0), Hit);

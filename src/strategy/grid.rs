@@ -26,15 +26,15 @@ pub struct UniformGrid<'a> {
     pub(super) mailboxes: bool,
 }
 
-/// Room for the error of an object's own t: a computed root is good to 10⁻¹⁰ of itself. What error it has
+/// Of t, for the error of an object's own: a computed root is good to 10⁻¹⁰ of itself. What error it has
 /// beyond that, where t is small beside the coordinates, lies within the room around each object in the lists.
-const STRETCH: f64 = 1e-9;
+const TOLERANCE: f64 = 1e-9;
 
 /// The range in which cells are visited: a little longer than that of the hits.
 pub(super) fn walked(range: TRange) -> TRange {
     TRange {
-        min: range.min * (1.0 - STRETCH),
-        max: range.max * (1.0 + STRETCH),
+        min: range.min * (1.0 - TOLERANCE),
+        max: range.max * (1.0 + TOLERANCE),
     }
 }
 
@@ -42,7 +42,7 @@ pub(super) fn walked(range: TRange) -> TRange {
 ///
 /// Equal t does not end the walk: of two such hits the object first in the scene wins.
 pub(super) fn is_passed(nearest: f64, t_out: f64) -> bool {
-    nearest * (1.0 + STRETCH) < t_out
+    nearest * (1.0 + TOLERANCE) < t_out
 }
 
 impl<'a> UniformGrid<'a> {
@@ -104,8 +104,7 @@ impl Strategy for UniformGrid<'_> {
         let walk = self.grid.walk(ray, walked(range));
         recorder.note(|| {
             Event::GridEnter(GridEnter {
-                min: self.grid.min(),
-                max: self.grid.max(),
+                around: self.grid.around(),
                 resolution: self.grid.resolution(),
                 inside: self.grid.inside(ray),
                 cell: walk.cell(),
@@ -310,7 +309,7 @@ mod tests {
         assert_eq!(cells.collect::<Vec<_>>()[1], plane + 1.0);
         let outside = |event: &Event| matches!(event, Event::HitOutsideCell(_));
         assert!(!events.iter().any(outside));
-        assert!(!is_passed(1.0, 1.0 + STRETCH));
+        assert!(!is_passed(1.0, 1.0 + TOLERANCE));
     }
 
     #[test]

@@ -14,7 +14,7 @@ use crate::strategy::node_bounds::{Nodes, Waiting};
 use crate::strategy::slab_rays::note_slab_rays;
 use crate::strategy::{Search, Strategy};
 use crate::structure::{Build, Link, SlabSet, range};
-use crate::trace::{Event, NodeOutcome, QueueAction, QueueStep, Recorder};
+use crate::trace::{Event, NodeVerdict, QueueAction, QueueStep, Recorder};
 
 /// Visits a hierarchy in the order of the estimated distance.
 #[doc(alias = "BVH traversal")]
@@ -42,7 +42,7 @@ impl<const N: usize> Strategy for HeapOrdered<'_, N> {
     ) -> ControlFlow<()> {
         let Nodes { scene, hierarchy } = &self.nodes;
         let slabs = hierarchy.ray_slabs(ray);
-        note_slab_rays(ray, hierarchy.set(), recorder);
+        note_slab_rays(&slabs, hierarchy.set(), recorder);
         let mut heap: BinaryHeap<Reverse<Waiting>> = BinaryHeap::new();
         if let Some(root) = self.nodes.root(&slabs, search.range(), recorder) {
             heap.push(Reverse(root));
@@ -50,15 +50,15 @@ impl<const N: usize> Strategy for HeapOrdered<'_, N> {
         }
         while let Some(Reverse(next)) = heap.pop() {
             // equal t does not end it: of two such hits the object first in the scene wins
-            if search.range().max < next.near {
+            if search.range().max < next.turn.near {
                 // all others begin further away still
                 note(QueueAction::Stop, next, heap.len(), recorder);
-                self.nodes.note(next, NodeOutcome::Pruned, recorder);
+                self.nodes.note(next, NodeVerdict::Pruned, recorder);
                 break;
             }
             note(QueueAction::Pop, next, heap.len(), recorder);
-            self.nodes.note(next, NodeOutcome::Entered, recorder);
-            match self.nodes.link(next.node) {
+            self.nodes.note(next, NodeVerdict::Entered, recorder);
+            match self.nodes.link(next.turn.node) {
                 Link::Objects { first, count } => {
                     for &id in &hierarchy.order()[range(first, count)] {
                         search.test(id, scene.primitive(id), ray, recorder)?;
@@ -93,8 +93,8 @@ fn note<R: Recorder>(action: QueueAction, of: Waiting, size: usize, recorder: &m
     recorder.note(|| {
         Event::Queue(QueueStep {
             action,
-            node: of.node,
-            key: of.near,
+            node: of.turn.node,
+            key: of.turn.near,
             size: size as u32,
         })
     });

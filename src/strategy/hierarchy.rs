@@ -15,7 +15,7 @@ use crate::strategy::node_bounds::Nodes;
 use crate::strategy::slab_rays::note_slab_rays;
 use crate::strategy::{Search, Strategy};
 use crate::structure::{Build, Hierarchy, Link, SlabSet, range};
-use crate::trace::{NodeOutcome, Recorder};
+use crate::trace::{NodeVerdict, Recorder};
 
 /// Visits a hierarchy from the root down, the nearest child first.
 #[doc(alias = "BVH traversal")]
@@ -49,17 +49,17 @@ impl<const N: usize> Strategy for DepthFirst<'_, N> {
     ) -> ControlFlow<()> {
         let Nodes { scene, hierarchy } = &self.nodes;
         let slabs = hierarchy.ray_slabs(ray);
-        note_slab_rays(ray, hierarchy.set(), recorder);
+        note_slab_rays(&slabs, hierarchy.set(), recorder);
         let root = self.nodes.root(&slabs, search.range(), recorder);
         let mut waiting = Vec::from_iter(root);
         while let Some(next) = waiting.pop() {
             // equal t does not prune: of two such hits the object first in the scene wins
-            if search.range().max < next.near {
-                self.nodes.note(next, NodeOutcome::Pruned, recorder);
+            if search.range().max < next.turn.near {
+                self.nodes.note(next, NodeVerdict::Pruned, recorder);
                 continue;
             }
-            self.nodes.note(next, NodeOutcome::Entered, recorder);
-            match self.nodes.link(next.node) {
+            self.nodes.note(next, NodeVerdict::Entered, recorder);
+            match self.nodes.link(next.turn.node) {
                 Link::Objects { first, count } => {
                     for &id in &hierarchy.order()[range(first, count)] {
                         search.test(id, scene.primitive(id), ray, recorder)?;
@@ -74,7 +74,7 @@ impl<const N: usize> Strategy for DepthFirst<'_, N> {
                         // the nearest child stays on top of the stack
                         if let [.., nearest, last] = &mut waiting[others..]
                             && met.is_some()
-                            && nearest.near <= last.near
+                            && nearest.turn.near <= last.turn.near
                         {
                             std::mem::swap(nearest, last);
                         }
@@ -110,13 +110,13 @@ mod tests {
         scene_of(&[0.0, 1.0, 8.0, 9.0].map(cube_at))
     }
 
-    /// The nodes as they are noted: number, depth, near, outcome.
-    fn nodes(events: &[Event]) -> Vec<(u32, u32, Option<f64>, NodeOutcome)> {
+    /// The nodes as they are noted: number, depth, near, verdict.
+    fn nodes(events: &[Event]) -> Vec<(u32, u32, Option<f64>, NodeVerdict)> {
         let visits = events.iter().filter_map(|event| match event {
             Event::Node(visit) => {
                 // the room for rounding is below a millionth
                 let near = visit.near.map(|near| (near * 1e6).round() / 1e6);
-                Some((visit.node, visit.depth, near, visit.outcome))
+                Some((visit.node, visit.depth, near, visit.verdict))
             }
             _ => None,
         });
@@ -125,7 +125,7 @@ mod tests {
 
     #[test]
     fn the_nearest_child_is_entered_first_and_what_begins_behind_its_hit_is_pruned() {
-        use NodeOutcome::{Entered, Pruned};
+        use NodeVerdict::{Entered, Pruned};
         let scene = row();
         let strategy = DepthFirst::new(&scene, &SlabSet::AXES, Build::SurfaceArea);
         let (events, hit) = noted(&strategy, &Ray::new(DVec3::new(-1.0, 0.5, 0.5), DVec3::X));
@@ -155,7 +155,7 @@ mod tests {
 
     #[test]
     fn a_bound_beside_the_ray_or_behind_it_is_rejected_and_one_beyond_the_range_pruned() {
-        use NodeOutcome::{Entered, Pruned, Rejected};
+        use NodeVerdict::{Entered, Pruned, Rejected};
         let scene = row();
         let strategy = DepthFirst::new(&scene, &SlabSet::AXES, Build::SurfaceArea);
         let at = |x: f64, y: f64| Ray::new(DVec3::new(x, y, 0.5), DVec3::X);

@@ -5,6 +5,8 @@
 //! for speed alone is in `fast`.
 
 mod bounds;
+mod by_name;
+mod by_slabs;
 mod chosen;
 mod exhaustive;
 mod fast;
@@ -18,6 +20,7 @@ mod noted;
 mod object_test;
 mod slab_rays;
 mod transformed;
+mod turn;
 mod z_aligned;
 
 pub use bounds::BoundedObjects;

@@ -10,10 +10,10 @@ mod options;
 mod point_tree;
 
 pub use bounds::{
-    Inside, RaySlabs, SlabBound, SlabChoice, SlabOutcome, SlabSet, SlabStep, Volume, VolumeKind,
-    VolumeRay, extent, room,
+    RaySlabs, SlabBound, SlabChoice, SlabSet, SlabStep, SlabVerdict, Volume, VolumeKind, VolumeRay,
+    extent, room,
 };
-pub(crate) use bounds::{extremes, inside_ellipsoid, inside_sphere};
+pub(crate) use bounds::{inside_ellipsoid, inside_sphere};
 pub use grid::{
     Across, AssignStep, CellStep, Grid, GridError, GridOptions, GridWalk, Lists, MOST_CELLS,
     MOST_CELLS_ALONG, Share,

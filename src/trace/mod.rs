@@ -7,10 +7,10 @@ mod log;
 mod record;
 
 pub use event::{
-    Aligned, AlignedPart, Alternative, Arrival, BoundOutcome, BoundTest, Bounded, CellVisit,
+    Aligned, AlignedPart, Alternative, Arrival, BoundTest, BoundVerdict, Bounded, CellVisit,
     Connection, Event, Gathered, GridEnter, GridExit, HitOutsideCell, Kind, LightTerm, Nearby,
-    Nearest, NodeOutcome, NodeVisit, Outcome, PathStart, Photon, PhotonFate, PixelColour,
-    PixelSample, Purpose, QueueAction, QueueStep, RayEnd, RaySlab, RayStart, Shade, SlabTest,
+    Nearest, NodeVerdict, NodeVisit, PathStart, Photon, PhotonVerdict, PixelColour, PixelSample,
+    Purpose, QueueAction, QueueStep, RayEnd, RaySlab, RayStart, RayVerdict, Shade, SlabTest,
     Stored, Verdict, Visibility, WalkEnd, Why, ZSort, geometry_term,
 };
 #[cfg(feature = "schema")]

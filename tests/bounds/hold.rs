@@ -66,7 +66,7 @@ fn holds(volume: &Volume<7>, point: DVec3) -> bool {
     const D: f64 = 0.577_350_269_189_625_8;
     match volume {
         Volume::Sphere(sphere) => point.distance(sphere.center) <= sphere.radius + room,
-        Volume::Ellipsoid(ellipsoid) => ellipsoid.widened(room).level(point) <= 1.0,
+        Volume::Ellipsoid(ellipsoid) => ellipsoid.with_room(room).level(point) <= 1.0,
         Volume::Box(bound) => slabs_hold(bound, &DVec3::AXES, point, room),
         Volume::Slabs(bound) => {
             let diagonals = [[D, D, D], [-D, D, D], [-D, -D, D], [D, -D, D]].map(DVec3::from);
@@ -126,7 +126,7 @@ fn every_point_of_a_surface_lies_in_the_volume_around_it() {
 }
 
 #[test]
-fn a_bent_polygon_has_its_play_inside_the_volume() {
+fn a_bent_polygon_has_its_room_inside_the_volume() {
     // a vertex 2·10⁻⁶ off: hits may lie up to 64 times as far off the vertices' plane, as the polygon says
     let vertices = [
         [0.0, 0.0, 0.0],
@@ -139,13 +139,13 @@ fn a_bent_polygon_has_its_play_inside_the_volume() {
     let Shape::Polygon(bent) = &scene.primitives[0].shape else {
         panic!("a polygon");
     };
-    let play = bent.play();
-    assert!(3e-5 < play, "{play}");
+    let room = bent.room();
+    assert!(3e-5 < room, "{room}");
     let mut random = Seeded::new(2);
     for kind in KINDS {
         let volume = around(polygon(&vertices), kind);
         for _ in 0..1000 {
-            let point = vertices[random.index(4)] + play * random.direction();
+            let point = vertices[random.index(4)] + room * random.direction();
             assert!(holds(&volume, point), "{kind:?}");
         }
     }

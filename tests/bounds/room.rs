@@ -4,7 +4,7 @@ use std::path::Path;
 
 use raystep::explain::render;
 use raystep::{
-    BoundOutcome, Build, Chosen, Event, Kind, Loaded, NoFiles, Record, Recording, Scene, Settings,
+    BoundVerdict, Build, Chosen, Event, Kind, Loaded, NoFiles, Record, Recording, Scene, Settings,
     SlabChoice, StrategyName, StructureOptions, TRange, Through, Tracer, Transport, VolumeKind,
     WorkedOptions, load, load_bytes, trace_pixel, worked_solution,
 };
@@ -71,12 +71,12 @@ fn worked(scene: &Scene, settings: &Settings, records: &[Record]) -> String {
 }
 
 /// What follows from the near and the far t in the log, for a ray that counts in this range.
-fn follows(near_and_far: Option<[f64; 2]>, range: TRange) -> BoundOutcome {
+fn follows(near_and_far: Option<[f64; 2]>, range: TRange) -> BoundVerdict {
     match near_and_far {
-        None => BoundOutcome::Missed,
-        Some([_, far]) if far < range.min => BoundOutcome::Behind,
-        Some([near, _]) if range.max < near => BoundOutcome::Beyond,
-        Some(_) => BoundOutcome::Hit,
+        None => BoundVerdict::Missed,
+        Some([_, far]) if far < range.min => BoundVerdict::Behind,
+        Some([near, _]) if range.max < near => BoundVerdict::Beyond,
+        Some(_) => BoundVerdict::Hit,
     }
 }
 
@@ -95,7 +95,7 @@ fn a_bound_that_is_told_as_met_is_met_where_t_counts() {
                 Event::BoundTest(test) => {
                     tests += 1;
                     assert_eq!(
-                        test.outcome,
+                        test.verdict,
                         follows(test.inside, range),
                         "{test:?} {range:?}"
                     );
@@ -136,10 +136,10 @@ fn near_and_far_of_a_slab_have_its_room_in_them() {
         // 2·10⁻¹⁰ of |x₀| + |y₀| + |z₀|, at the eye and in the middle of the face, and 3·10⁻¹⁰ of the largest
         // coordinate, which is 10
         let from = if record.ray == Some(0) { 33.0 } else { 29.0 };
-        assert!((step.room - (2e-10 * from + 3e-9)).abs() <= 1e-20);
+        assert!((line.room - (2e-10 * from + 3e-9)).abs() <= 1e-20);
         if line.t_scale.is_finite() {
             slabs += 1;
-            let planes = [(-step.room, step.d_min), (step.room, step.d_max)];
+            let planes = [(-line.room, step.d_min), (line.room, step.d_max)];
             let t = planes.map(|(room, d)| (line.s + room + d) * line.t_scale);
             let raystep::SlabInterval::Between { near, far } = step.interval else {
                 panic!("{step:?}");

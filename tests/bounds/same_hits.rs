@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 use raystep::{
-    BoundOutcome, Bounded, BoundedObjects, Event, Exhaustive, Hit, Off, Ray, Recording, Scene,
+    BoundVerdict, Bounded, BoundedObjects, Event, Exhaustive, Hit, Off, Ray, Recording, Scene,
     SlabSet, Strategy, TRange, VolumeKind,
 };
 use serde_json::Value;
@@ -196,13 +196,13 @@ fn every_ray_meets_the_same_object_at_the_same_t_as_without_volumes() {
 }
 
 /// What became of each object's volume.
-fn outcomes(scene: &Scene, kind: VolumeKind, ray: &Ray) -> Vec<(Bounded, BoundOutcome)> {
+fn verdicts(scene: &Scene, kind: VolumeKind, ray: &Ray) -> Vec<(Bounded, BoundVerdict)> {
     let bounded = BoundedObjects::new(scene, kind, &SlabSet::SEVEN);
     let mut recording = Recording::new(Vec::new());
     bounded.nearest(ray, TRange::FORWARD, &mut recording);
     let records = recording.into_sink();
     let tests = records.iter().filter_map(|record| match record.event {
-        Event::BoundTest(test) => Some((test.of, test.outcome)),
+        Event::BoundTest(test) => Some((test.of, test.verdict)),
         _ => None,
     });
     tests.collect()
@@ -221,14 +221,14 @@ fn each_object_has_one_test_of_its_volume_and_the_reason_is_told() {
     // down the z axis from z = 10: the first is met at 9, the second begins behind that, the third lies
     // behind the origin, the fourth beside, the fifth is nearer
     let ray = Ray::new(at(10.0), -DVec3::Z);
-    use BoundOutcome::{Behind, Beyond, Hit, Missed};
+    use BoundVerdict::{Behind, Beyond, Hit, Missed};
     let expected: Vec<_> = [Hit, Beyond, Behind, Missed, Hit]
         .into_iter()
         .enumerate()
-        .map(|(i, outcome)| (Bounded::Object(i as u32), outcome))
+        .map(|(i, verdict)| (Bounded::Object(i as u32), verdict))
         .collect();
     for kind in KINDS {
-        assert_eq!(outcomes(&scene, kind, &ray), expected, "{kind:?}");
+        assert_eq!(verdicts(&scene, kind, &ray), expected, "{kind:?}");
     }
 }
 

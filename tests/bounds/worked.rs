@@ -130,7 +130,7 @@ fn a_parallel_ray_is_told_by_where_its_s_lies() {
     ]);
     let strategy = BoundedObjects::new(&scene, VolumeKind::Slabs, &SlabSet::AXES);
     let mut recording = Recording::new(Vec::new());
-    use raystep::{Event, Outcome, Purpose, Ray, RayEnd, RayStart, Recorder, Strategy, TRange};
+    use raystep::{Event, Purpose, Ray, RayEnd, RayStart, RayVerdict, Recorder, Strategy, TRange};
     let ray = Ray::new(DVec3::new(0.5, 0.5, 9.0), -DVec3::Z);
     recording.note(|| {
         Event::Ray(RayStart {
@@ -143,7 +143,7 @@ fn a_parallel_ray_is_told_by_where_its_s_lies() {
     strategy.nearest(&ray, TRange::FORWARD, &mut recording);
     recording.note(|| {
         Event::RayEnd(RayEnd {
-            outcome: Outcome::Miss,
+            verdict: RayVerdict::Miss,
             ..RayEnd::default()
         })
     });

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::fs::File;
 use std::io::BufReader;
 
-use raystep::{Event, LogReader, NodeOutcome, Record, Scene, Verdict, Why};
+use raystep::{Event, LogReader, NodeVerdict, Record, Scene, Verdict, Why};
 use serde_json::{Value, json};
 
 use super::Rows;
@@ -126,7 +126,7 @@ fn pruned(log: &Log) -> Rows {
             Event::Nearest(hit) => {
                 nearest.insert(record.ray, hit.t);
             }
-            Event::Node(visit) if visit.outcome == NodeOutcome::Pruned => rows.push(vec![
+            Event::Node(visit) if visit.verdict == NodeVerdict::Pruned => rows.push(vec![
                 json!(record.ray),
                 json!(record.step),
                 json!(visit.node),

@@ -6,8 +6,8 @@ use std::ops::ControlFlow;
 
 use glam::DVec3;
 use raystep::{
-    Counts, Event, Fate, Kind, LightTerm, Nearest, Outcome, PlaneVerdict, Purpose, RayEnd,
-    RayStart, Record, Roots, Scene, Settings, Shade, Shape, Sink, Visibility,
+    Counts, Event, Kind, LightTerm, Nearest, PlaneVerdict, Purpose, RayEnd, RayStart, RayVerdict,
+    Record, RootVerdict, Roots, Scene, Settings, Shade, Shape, Sink, Visibility,
 };
 
 use searched::Searched;
@@ -49,12 +49,13 @@ impl Sink for Sums {
             Event::RayEnd(end) => {
                 let purpose = self.purposes[record.ray.unwrap() as usize];
                 let [traced, hits, beyond] = &mut self.rays[purpose as usize];
-                match end.outcome {
-                    Outcome::DepthLimit => *beyond += 1,
-                    outcome => {
+                match end.verdict {
+                    RayVerdict::DepthLimit => *beyond += 1,
+                    verdict => {
                         *traced += 1;
-                        *hits +=
-                            u64::from(![Outcome::Miss, Outcome::ReachesLight].contains(&outcome));
+                        *hits += u64::from(
+                            ![RayVerdict::Miss, RayVerdict::ReachesLight].contains(&verdict),
+                        );
                     }
                 }
                 self.told[0] += u64::from(end.tests);
@@ -92,14 +93,14 @@ impl Sums {
 
 /// The kind of a test, and whether it hit: read off its roots or crossings.
 fn tested(event: &Event) -> Option<(Kind, bool)> {
-    let any = |roots: Roots| roots.iter().any(|root| root.fate == Fate::Chosen);
+    let any = |roots: Roots| roots.iter().any(|root| root.verdict == RootVerdict::Chosen);
     let hit = match event {
         Event::SphereTest { test, .. }
         | Event::EllipsoidTest { test, .. }
         | Event::ConeTest { test, .. } => any(test.roots),
         Event::BoxTest { test, .. } => any(test.roots),
         Event::PlaneTest { test, .. } => {
-            matches!(test.verdict, PlaneVerdict::Meets(root) if root.fate == Fate::Chosen)
+            matches!(test.verdict, PlaneVerdict::Meets(root) if root.verdict == RootVerdict::Chosen)
         }
         Event::PolygonTest { test, .. } => test.crossings % 2 == 1,
         _ => return None,
@@ -121,8 +122,8 @@ struct Open {
     tests: [u32; 2],
     searched: Searched,
     lights: Vec<LightTerm>,
-    /// The shadow ray that has just ended: its light and outcome.
-    shadow: Option<(u32, Outcome)>,
+    /// The shadow ray that has just ended: its light and verdict.
+    shadow: Option<(u32, RayVerdict)>,
     shade: Option<Shade>,
     /// The colours that rays sent on brought back: reflected, refracted.
     sent_on: [Option<DVec3>; 2],
@@ -202,8 +203,8 @@ impl Walk<'_> {
             Event::LightTerm(light) => {
                 let shadow = self.top().shadow.take();
                 let expected = match light.visibility {
-                    Visibility::Visible => Some((light.light, Outcome::ReachesLight)),
-                    Visibility::Shadowed => Some((light.light, Outcome::Blocked)),
+                    Visibility::Visible => Some((light.light, RayVerdict::ReachesLight)),
+                    Visibility::Shadowed => Some((light.light, RayVerdict::Blocked)),
                     Visibility::FacesAway | Visibility::NotTested => None,
                 };
                 assert_eq!(shadow, expected);
@@ -282,12 +283,12 @@ impl Walk<'_> {
             ..
         } = ray.start;
         let beyond = self.scene.max_depth < depth;
-        if end.outcome != Outcome::DepthLimit {
+        if end.verdict != RayVerdict::DepthLimit {
             let settings = self.settings;
             ray.searched.check_ray(self.scene, settings.strategy, end);
         }
         assert_eq!(
-            end.outcome == Outcome::DepthLimit,
+            end.verdict == RayVerdict::DepthLimit,
             beyond && purpose != Purpose::Shadow
         );
         if let Some(t) = end.t {
@@ -295,21 +296,21 @@ impl Walk<'_> {
         }
         if purpose == Purpose::Shadow {
             let blocked = end.object.is_some();
-            assert_eq!(end.outcome == Outcome::Blocked, blocked);
-            assert_eq!(end.outcome == Outcome::ReachesLight, !blocked);
+            assert_eq!(end.verdict == RayVerdict::Blocked, blocked);
+            assert_eq!(end.verdict == RayVerdict::ReachesLight, !blocked);
             assert_eq!(end.t.is_some(), blocked);
             assert_eq!((end.colour, ray.nearest), (None, None));
             let light = ray.start.light.expect("a shadow ray has a light");
-            self.top().shadow = Some((light, end.outcome));
+            self.top().shadow = Some((light, end.verdict));
             return;
         }
 
         assert_eq!(end.object, ray.nearest.map(|nearest| nearest.object));
         let t = ray.nearest.map(|nearest| nearest.t.to_bits());
         assert_eq!(end.t.map(f64::to_bits), t);
-        assert_eq!(end.outcome == Outcome::Hit, end.object.is_some());
+        assert_eq!(end.verdict == RayVerdict::Hit, end.object.is_some());
         let colour = end.colour.expect("the ray brings back a colour");
-        close(colour, self.expected_colour(end.outcome, &ray));
+        close(colour, self.expected_colour(end.verdict, &ray));
         let sent_on = match purpose {
             Purpose::Reflected => &mut self.top().sent_on[0],
             Purpose::Refracted => &mut self.top().sent_on[1],
@@ -319,13 +320,13 @@ impl Walk<'_> {
     }
 
     /// The colour from its parts.
-    fn expected_colour(&self, outcome: Outcome, ray: &Open) -> DVec3 {
-        let (Outcome::Hit, Some(shade)) = (outcome, ray.shade) else {
+    fn expected_colour(&self, verdict: RayVerdict, ray: &Open) -> DVec3 {
+        let (RayVerdict::Hit, Some(shade)) = (verdict, ray.shade) else {
             assert!(ray.shade.is_none());
-            return match outcome {
-                Outcome::Miss => self.scene.background,
-                Outcome::DepthLimit => DVec3::ZERO,
-                _ => panic!("{outcome:?} without a shade"),
+            return match verdict {
+                RayVerdict::Miss => self.scene.background,
+                RayVerdict::DepthLimit => DVec3::ZERO,
+                _ => panic!("{verdict:?} without a shade"),
             };
         };
         let [reflected, refracted] = ray.sent_on;

@@ -129,8 +129,8 @@ fn broken_json_names_line_and_column() {
         ", column 78",
         "number out of range",
     );
-    check(6, "}", "} }", ", column 225", "trailing characters");
-    check(6, "}", "", ", column 222", "EOF while parsing an object");
+    check(6, "}", "} }", ", column 231", "trailing characters");
+    check(6, "}", "", ", column 228", "EOF while parsing an object");
     let what = "invalid type: null, expected a number, a string, true, false or a list of numbers";
     check(6, "\"a\":1.0", "\"a\":null", ", column 77", what);
     let what = "invalid type: sequence, expected a flat JSON object";
@@ -146,7 +146,7 @@ fn an_unknown_word_is_named() {
     check(6, "sphere_test", "xyz", "", "there is no kind \"xyz\"");
     check(6, "\"ball\"", "\"bell\"", "", "there is no object \"bell\"");
     check(18, "\"lamp\"", "\"lump\"", "", "there is no light \"lump\"");
-    let what = "\"near_fate\" must be one of chosen, behind, below_epsilon, beyond_nearest, \
+    let what = "\"near_verdict\" must be one of chosen, behind, below_epsilon, beyond_nearest, \
                 back_face, front_face, beyond_ends";
     check(6, "\"chosen\"", "\"taken\"", "", what);
     let what = "the key \"radius\" does not belong to \"sphere_test\"";
@@ -232,7 +232,7 @@ fn a_value_of_the_wrong_type_or_size_is_named() {
 fn fields_that_contradict_each_other_are_named() {
     let what = "\"roots\" does not fit \"near\" and \"far\"";
     check(6, "\"roots\":\"two\"", "\"roots\":\"none\"", "", what);
-    let what = "a root has either both t and fate or neither";
+    let what = "a root has either both t and verdict or neither";
     check(6, "\"near\":4.0,", "", "", what);
     check(
         6,

@@ -11,7 +11,7 @@
 use std::f64::consts::PI;
 
 use glam::DVec3;
-use raystep::{Connection, Event, PhotonFate, Record, Scene, Shape};
+use raystep::{Connection, Event, PhotonVerdict, Record, Scene, Shape};
 
 /// A vertex, from the light or the eye on.
 #[derive(Clone, Copy)]
@@ -72,7 +72,10 @@ pub(super) fn add_surfaces(scene: &Scene, records: &[Record], vertices: &mut Vec
             normal: Some(facing * normal),
             carries: photon.power,
             albedo: DVec3::from(material.colour) * material.diffuse,
-            passes: matches!(photon.fate, PhotonFate::Mirrored | PhotonFate::Refracted),
+            passes: matches!(
+                photon.verdict,
+                PhotonVerdict::Mirrored | PhotonVerdict::Refracted
+            ),
         });
     }
 }

@@ -5,9 +5,9 @@
 
 use crate::explain::worked::context::Context;
 use crate::explain::worked::steps::Course;
-use crate::geometry::{MOST_SLABS, Ray};
+use crate::geometry::{Inside, MOST_SLABS, Ray};
 use crate::structure::{
-    Hierarchy, Inside, RaySlabs, SlabChoice, SlabSet, SlabStep, Volume, VolumeKind, VolumeRay,
+    Hierarchy, RaySlabs, SlabChoice, SlabSet, SlabStep, Volume, VolumeKind, VolumeRay,
 };
 use crate::trace::{BoundTest, Bounded, Event, SlabTest, StrategyName};
 

@@ -18,8 +18,8 @@ pub(super) fn grid_enter(context: &Context, enter: &GridEnter, course: &Course, 
     let [nx, ny, nz] = enter.resolution;
     let text = format!(
         " of {nx} × {ny} × {nz} cells from {} to {}",
-        d.vector(bare.min),
-        d.vector(bare.max)
+        d.vector(bare.around.min),
+        d.vector(bare.around.max)
     );
     page.headed(Part::Grid, text);
     let ray = course.start.map(|start| start.ray);

@@ -14,7 +14,7 @@ use crate::explain::worked::pen::Pen;
 use crate::explain::worked::photon::{Carries, channels};
 use crate::explain::worked::{connection, ray, seen, vertex};
 use crate::scene::Emission;
-use crate::trace::{Connection, Event, Item, Kind, Outcome, PhotonFate, RayNode, Record};
+use crate::trace::{Connection, Event, Item, Kind, PhotonVerdict, RayNode, RayVerdict, Record};
 
 /// The number of paths that are written; the others are counted, unless all are asked for: more would hide the pixel.
 const TOLD: usize = 8;
@@ -170,28 +170,28 @@ fn end_of_leg(context: &Context, ray: &RayNode, surface: u32, known: &KnownPath)
         let carried = carried.map_or(String::new(), |power| {
             format!(" with {}", Carries::Power.amount(power))
         });
-        return match ray.end.map(|end| (end.outcome, end.object)) {
-            Some((Outcome::CutOff, Some(object))) => format!(
+        return match ray.end.map(|end| (end.verdict, end.object)) {
+            Some((RayVerdict::CutOff, Some(object))) => format!(
                 "{}{at}: beyond the most surfaces of a path, cut off{carried}",
                 context.name(object)
             ),
-            Some((Outcome::Miss, _)) => format!("out of the scene{carried}"),
+            Some((RayVerdict::Miss, _)) => format!("out of the scene{carried}"),
             _ => format!("?{at}"),
         };
     };
     let chance = d.number(photon.chance);
     let limit = photon.reflection + photon.transmission;
-    let becomes = match photon.fate {
-        PhotonFate::Mirrored => {
+    let becomes = match photon.verdict {
+        PhotonVerdict::Mirrored => {
             format!("mirrored (ξ = {chance} < {})", d.number(photon.reflection))
         }
-        PhotonFate::Refracted => format!(
+        PhotonVerdict::Refracted => format!(
             "refracted (ξ = {chance} in {}..{})",
             d.number(photon.reflection),
             d.number(limit)
         ),
-        PhotonFate::Diffused => format!("scattered (ξ = {chance}: {})", channels(&photon)),
-        PhotonFate::Absorbed => format!("absorbed (ξ = {chance})"),
+        PhotonVerdict::Diffused => format!("scattered (ξ = {chance}: {})", channels(&photon)),
+        PhotonVerdict::Absorbed => format!("absorbed (ξ = {chance})"),
     };
     let is_stored = |item: &Item| match *item {
         Item::Event(at) => matches!(context.records[at].event, Event::Stored(_)),

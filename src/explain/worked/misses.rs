@@ -4,7 +4,7 @@ use crate::explain::number::count;
 use crate::explain::worked::context::Context;
 use crate::explain::worked::pen::Pen;
 use crate::explain::worked::steps::{Course, Step, Test, Told};
-use crate::geometry::{Fate, PlaneVerdict, Roots};
+use crate::geometry::{PlaneVerdict, RootVerdict, Roots};
 use crate::trace::{Kind, Purpose};
 
 /// With this many tests on a ray its misses are summed up: more lines than a screen has would hide the hit.
@@ -51,18 +51,18 @@ pub(super) fn folded(context: &Context, run: &[Told], course: &Course, page: &mu
 
 /// Why the object was missed, if its kind is shown.
 fn reason_of(context: &Context, test: &Test, beyond: &'static str) -> Option<&'static str> {
-    let fate = |fate| match fate {
-        Fate::BeyondNearest => beyond,
-        Fate::Chosen => "hit",
-        Fate::Behind => "behind the origin",
-        Fate::BelowEpsilon => "where the ray starts (t is 0 within ε)",
-        Fate::BackFace => "with only the back on the ray",
-        Fate::FrontFace => "with only the front on the ray",
-        Fate::BeyondEnds => "beyond the ends of the surface",
+    let verdict = |verdict| match verdict {
+        RootVerdict::BeyondNearest => beyond,
+        RootVerdict::Chosen => "hit",
+        RootVerdict::Behind => "behind the origin",
+        RootVerdict::BelowEpsilon => "where the ray starts (t is 0 within ε)",
+        RootVerdict::BackFace => "with only the back on the ray",
+        RootVerdict::FrontFace => "with only the front on the ray",
+        RootVerdict::BeyondEnds => "beyond the ends of the surface",
     };
     let roots = |roots: &Roots| match roots.iter().last() {
         None => "without a real root",
-        Some(far) => fate(far.fate),
+        Some(far) => verdict(far.verdict),
     };
     let (kind, reason) = match test {
         Test::Sphere(test) => (Kind::SphereTest, roots(&test.roots)),
@@ -75,7 +75,7 @@ fn reason_of(context: &Context, test: &Test, beyond: &'static str) -> Option<&'s
         Test::Polygon { plane, inside, .. } => match (plane, inside) {
             (_, Some(_)) => (Kind::PolygonTest, "with p outside the outline"),
             (Some(plane), None) => match plane.working.verdict {
-                PlaneVerdict::Meets(root) => (Kind::PlaneTest, fate(root.fate)),
+                PlaneVerdict::Meets(root) => (Kind::PlaneTest, verdict(root.verdict)),
                 PlaneVerdict::ParallelBeside => (Kind::PlaneTest, "parallel to the ray"),
                 PlaneVerdict::ParallelWithin => (Kind::PlaneTest, "whose plane contains the ray"),
             },

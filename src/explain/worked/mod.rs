@@ -29,6 +29,7 @@ mod polygon;
 mod quadratic;
 mod ray;
 mod ray_start;
+mod roots;
 mod search;
 mod seen;
 mod settle;

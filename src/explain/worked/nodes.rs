@@ -9,7 +9,7 @@ use crate::explain::worked::leaves::Leaves;
 use crate::explain::worked::pen::Pen;
 use crate::explain::worked::steps::Course;
 use crate::structure::MergeStep;
-use crate::trace::{BoundOutcome, Bounded, Event, NodeOutcome, NodeVisit, QueueAction, QueueStep};
+use crate::trace::{BoundVerdict, Bounded, Event, NodeVerdict, NodeVisit, QueueAction, QueueStep};
 
 /// The verdict on a node. One that was rejected a line before needs no second line.
 pub(super) fn node(context: &Context, visit: &NodeVisit, course: &Course, page: &mut Pen) {
@@ -25,10 +25,10 @@ pub(super) fn node(context: &Context, visit: &NodeVisit, course: &Course, page: 
     };
     let node = format!(" {}, depth {}, {below}", visit.node, visit.depth);
     let near = visit.near.map_or(String::new(), |near| d.number(near));
-    let (tone, verdict) = match visit.outcome {
-        NodeOutcome::Entered => (Tone::Found, "entered".into()),
-        NodeOutcome::Rejected => (Tone::Refused, "rejected".into()),
-        NodeOutcome::Pruned => {
+    let (tone, verdict) = match visit.verdict {
+        NodeVerdict::Entered => (Tone::Found, "entered".into()),
+        NodeVerdict::Rejected => (Tone::Refused, "rejected".into()),
+        NodeVerdict::Pruned => {
             let why = format!("pruned, it begins at t = {near}, behind the nearest hit so far");
             (Tone::Refused, why)
         }
@@ -96,7 +96,7 @@ pub(super) fn merge(context: &Context, step: &MergeStep, leaves: &Leaves, page: 
 /// The node that this step rejects, if it rejects one.
 pub(super) fn refused_node(step: Option<&Event>) -> Option<u32> {
     match step {
-        Some(Event::BoundTest(test)) if test.outcome != BoundOutcome::Hit => match test.of {
+        Some(Event::BoundTest(test)) if test.verdict != BoundVerdict::Hit => match test.of {
             Bounded::Node(node) => Some(node),
             Bounded::Object(_) => None,
         },

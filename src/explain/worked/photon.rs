@@ -13,7 +13,7 @@ use crate::explain::worked::context::Context;
 use crate::explain::worked::pen::Pen;
 use crate::explain::worked::steps::Course;
 use crate::explain::worked::vertex;
-use crate::trace::{Kind, Photon, PhotonFate, Purpose, RayNode, RayStart, Stored};
+use crate::trace::{Kind, Photon, PhotonVerdict, Purpose, RayNode, RayStart, Stored};
 
 /// The channels of a colour.
 const CHANNELS: [&str; 3] = ["red", "green", "blue"];
@@ -44,7 +44,7 @@ pub(super) fn photon(context: &Context, photon: &Photon, course: &Course, page: 
             page.plain(text);
         }
         let limit = reflection + transmission;
-        if photon.fate != PhotonFate::Mirrored && 0.0 < transmission {
+        if photon.verdict != PhotonVerdict::Mirrored && 0.0 < transmission {
             page.plain(format!(
                 "reflection + transmission = {} + {} = {}: {}",
                 d.number(reflection),
@@ -53,7 +53,10 @@ pub(super) fn photon(context: &Context, photon: &Photon, course: &Course, page: 
                 below(photon.chance, limit)
             ));
         }
-        if matches!(photon.fate, PhotonFate::Diffused | PhotonFate::Absorbed) {
+        if matches!(
+            photon.verdict,
+            PhotonVerdict::Diffused | PhotonVerdict::Absorbed
+        ) {
             let before = match (reflection, transmission) {
                 (_, t) if 0.0 < t => "reflection + transmission + colour·diffuse",
                 (r, _) if 0.0 < r => "reflection + colour·diffuse",
@@ -71,15 +74,15 @@ pub(super) fn photon(context: &Context, photon: &Photon, course: &Course, page: 
                 channels(photon)
             ));
         }
-        let (tone, verdict) = match photon.fate {
-            PhotonFate::Mirrored => (Tone::Found, "continues in the mirror direction"),
-            PhotonFate::Refracted => (Tone::Found, "continues through the surface"),
-            PhotonFate::Diffused => (Tone::Found, "continues in a random direction"),
-            PhotonFate::Absorbed => (Tone::Refused, "continues, so the path ends here"),
+        let (tone, verdict) = match photon.verdict {
+            PhotonVerdict::Mirrored => (Tone::Found, "continues in the mirror direction"),
+            PhotonVerdict::Refracted => (Tone::Found, "continues through the surface"),
+            PhotonVerdict::Diffused => (Tone::Found, "continues in a random direction"),
+            PhotonVerdict::Absorbed => (Tone::Refused, "continues, so the path ends here"),
         };
         let leaving = photon.leaving();
-        let on = match photon.fate {
-            PhotonFate::Absorbed => "nothing".into(),
+        let on = match photon.verdict {
+            PhotonVerdict::Absorbed => "nothing".into(),
             _ => carries.amount(leaving),
         };
         let absorbed = photon.power - leaving;
@@ -118,16 +121,16 @@ pub(super) fn direction_of_leg(context: &Context, place: usize) -> Option<String
     let (before, photon) = vertex::leg_before(context, place)?;
     let incoming = before.start?.ray.direction;
     let normal = vertex::normal_towards(context, &photon, -incoming);
-    Some(match photon.fate {
-        PhotonFate::Mirrored => format!(
+    Some(match photon.verdict {
+        PhotonVerdict::Mirrored => format!(
             "Δ = Δ′ − 2(Δ′·N)N = {} − 2·{}·{} = {}, with Δ′ the incoming direction",
             d.vector(incoming),
             d.factor(incoming.dot(normal)),
             d.vector(normal),
             d.vector(direction)
         ),
-        PhotonFate::Refracted => format!("Δ = T = {}", d.vector(direction)),
-        PhotonFate::Diffused | PhotonFate::Absorbed => format!(
+        PhotonVerdict::Refracted => format!("Δ = T = {}", d.vector(direction)),
+        PhotonVerdict::Diffused | PhotonVerdict::Absorbed => format!(
             "Δ = {}: a random direction around N = {}, pdf cos θ/π per steradian",
             d.vector(direction),
             d.vector(normal)
@@ -226,7 +229,7 @@ mod tests {
             chance,
             reflection: 0.1,
             diffuse: DVec3::new(0.8, 0.4, 0.2),
-            fate: PhotonFate::Diffused,
+            verdict: PhotonVerdict::Diffused,
             ..Photon::default()
         };
         for (chance, words) in [

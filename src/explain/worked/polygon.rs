@@ -8,7 +8,7 @@ use crate::explain::worked::context::Context;
 use crate::explain::worked::extent::Extent;
 use crate::explain::worked::pen::Pen;
 use crate::explain::worked::quadratic;
-use crate::explain::worked::quadratic::fate;
+use crate::explain::worked::roots::sentence;
 use crate::explain::worked::steps::{Course, Noted};
 use crate::geometry::{Axis, DecidedBy, EdgeTest, PlaneTest, PlaneVerdict, PolygonTest};
 use crate::scene::{PrimitiveId, Shape};
@@ -144,7 +144,7 @@ fn plane(test: &PlaneTest, course: &Course, full: bool, page: &mut Pen) {
         ));
     }
     if test.chosen().is_none() {
-        let text = format!("{}: missed", fate(root, None, course));
+        let text = format!("{}: missed", sentence(root, None, course));
         page.part(Part::PlaneT).line(Tone::Refused, text);
     }
 }

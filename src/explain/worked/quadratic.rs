@@ -8,21 +8,72 @@ use crate::explain::part::Part;
 use crate::explain::worked::aligned;
 use crate::explain::worked::context::Context;
 use crate::explain::worked::pen::Pen;
+use crate::explain::worked::roots::{choice, roots};
 use crate::explain::worked::steps::Course;
-use crate::geometry::{Fate, QuadraticTest, Ray, Root, Roots};
+use crate::geometry::{QuadraticTest, Ray, Roots};
 use crate::scene::{PrimitiveId, Shape};
-use crate::trace::Purpose;
+
+/// An object whose test is a quadratic, and what its working is told from.
+#[derive(Clone, Copy)]
+pub(super) struct Tested<'a> {
+    pub(super) context: &'a Context<'a>,
+    pub(super) object: PrimitiveId,
+    pub(super) test: &'a QuadraticTest,
+    pub(super) course: &'a Course,
+    /// With all its lines, or the equation alone.
+    pub(super) full: bool,
+}
+
+impl<'a> Tested<'a> {
+    fn shape(&self) -> &'a Shape {
+        &self.context.scene.primitive(self.object).shape
+    }
+
+    /// What the object is, the working, and the verdict on each root; in short where the working is not asked for, or the
+    /// log does not have the ray.
+    fn told(&self, what: &str, page: &mut Pen, working: impl FnOnce(&Ray, &mut Pen)) {
+        object_line(self.context, self.object, what, page);
+        page.indented(|page| match self.course.ray() {
+            Some(ray) if self.full => {
+                working(&ray, page);
+                choice(&self.test.roots, self.course, page);
+            }
+            _ => self.in_short(page),
+        });
+    }
+
+    /// The equation with its numbers, and the verdict.
+    fn in_short(&self, page: &mut Pen) {
+        let test = self.test;
+        let (b2, ac4) = (test.b * test.b, 4.0 * test.a * test.c);
+        let size = b2.abs().max(ac4.abs());
+        let d = Digits::for_difference(size, test.discriminant);
+        let discriminant = format!(
+            " of {} {} {} = 0: b² − 4ac = {} {} = {}",
+            d.times(test.a, "t²"),
+            d.term_times(test.b, "t"),
+            d.term(test.c),
+            d.number(b2),
+            d.term(-ac4),
+            d.difference(size, test.discriminant)
+        );
+        let why = match test.roots {
+            Roots::None if test.discriminant < 0.0 => " < 0, no real root: missed",
+            Roots::None => ": no t solves it, missed",
+            _ => {
+                page.headed(Part::Discriminant, discriminant);
+                return choice(&test.roots, self.course, page);
+            }
+        };
+        let text = format!("{discriminant}{why}");
+        page.headed_line(Tone::Refused, Part::Discriminant, text);
+    }
+}
 
 /// Equation (iii).
-pub(super) fn sphere(
-    context: &Context,
-    object: PrimitiveId,
-    test: &QuadraticTest,
-    course: &Course,
-    full: bool,
-    page: &mut Pen,
-) {
-    let Shape::Sphere(sphere) = &context.scene.primitive(object).shape else {
+pub(super) fn sphere(of: Tested, page: &mut Pen) {
+    let (test, course) = (of.test, of.course);
+    let Shape::Sphere(sphere) = of.shape() else {
         return;
     };
     let (center, radius) = (course.place(sphere.center), sphere.radius);
@@ -32,12 +83,8 @@ pub(super) fn sphere(
         d.vector(center),
         d.number(radius)
     );
-    let Some(ray) = course.ray().filter(|_| full) else {
-        return quadratic_in_short(context, object, &what, test, course, page);
-    };
-    object_line(context, object, &what, page);
-    let offset = ray.origin - center;
-    page.indented(|page| {
+    of.told(&what, page, |ray, page| {
+        let offset = ray.origin - center;
         let given = precise(test, offset).vector(offset);
         page.headed(Part::Frame, format!(": o − center = {given}"));
         coefficients(&Ray::new(offset, ray.direction), radius, test, page);
@@ -46,20 +93,13 @@ pub(super) fn sphere(
             Some(_) => aligned::sphere_at_axis(center, radius, page),
             None => page.once(Part::Discriminant, COMPUTED_FOR_SPHERE),
         }
-        verdict(&test.roots, course, page);
     });
 }
 
 /// Equation (iii) for the unit sphere that the ellipsoid is in a space of its own.
-pub(super) fn ellipsoid(
-    context: &Context,
-    object: PrimitiveId,
-    test: &QuadraticTest,
-    course: &Course,
-    full: bool,
-    page: &mut Pen,
-) {
-    let Shape::Ellipsoid(ellipsoid) = &context.scene.primitive(object).shape else {
+pub(super) fn ellipsoid(of: Tested, page: &mut Pen) {
+    let (test, course) = (of.test, of.course);
+    let Shape::Ellipsoid(ellipsoid) = of.shape() else {
         return;
     };
     let ellipsoid = *ellipsoid;
@@ -70,25 +110,21 @@ pub(super) fn ellipsoid(
         d.vector(center),
         d.vector(radii)
     );
-    let Some(ray) = course.ray().filter(|_| full) else {
-        return quadratic_in_short(context, object, &what, test, course, page);
-    };
-    object_line(context, object, &what, page);
-    let (scaled, offset_by, direction_by) = match course.aligned {
-        // its half axes h are turned
-        Some(aligned) => (
-            ellipsoid.unit_ray(&aligned),
-            "hᵢ·(o − center)/rᵢ²",
-            "hᵢ·Δ/rᵢ²",
-        ),
-        None => (
-            Ray::new((ray.origin - center) / radii, ray.direction / radii),
-            "(o − center)/radii",
-            "Δ/radii",
-        ),
-    };
-    let d = precise(test, scaled.origin);
-    page.indented(|page| {
+    of.told(&what, page, |ray, page| {
+        let (scaled, offset_by, direction_by) = match course.aligned {
+            // its half axes h are turned
+            Some(aligned) => (
+                ellipsoid.unit_ray(&aligned),
+                "hᵢ·(o − center)/rᵢ²",
+                "hᵢ·Δ/rᵢ²",
+            ),
+            None => (
+                Ray::new((ray.origin - center) / radii, ray.direction / radii),
+                "(o − center)/radii",
+                "Δ/radii",
+            ),
+        };
+        let d = precise(test, scaled.origin);
         let along = course.aligned.map_or("", |_| " along its half axes h");
         page.headed(
             Part::Frame,
@@ -107,20 +143,13 @@ pub(super) fn ellipsoid(
         if course.aligned.is_none() {
             page.once(Part::Discriminant, COMPUTED_FOR_SPHERE);
         }
-        verdict(&test.roots, course, page);
     });
 }
 
 /// The quadratic of an open cone or cylinder.
-pub(super) fn cone(
-    context: &Context,
-    object: PrimitiveId,
-    test: &QuadraticTest,
-    course: &Course,
-    full: bool,
-    page: &mut Pen,
-) {
-    let Shape::Cone(cone) = &context.scene.primitive(object).shape else {
+pub(super) fn cone(of: Tested, page: &mut Pen) {
+    let (test, course) = (of.test, of.course);
+    let Shape::Cone(cone) = of.shape() else {
         return;
     };
     let cone = course
@@ -144,18 +173,14 @@ pub(super) fn cone(
             d.number(apex_radius)
         )
     };
-    let Some(ray) = course.ray().filter(|_| full) else {
-        return quadratic_in_short(context, object, &what, test, course, page);
-    };
-    object_line(context, object, &what, page);
-    let (axis, slope) = (cone.axis(), cone.slope());
-    let m = ray.origin - cone.base();
-    let (height, climb) = (m.dot(axis), ray.direction.dot(axis));
-    let across = m - height * axis;
-    let direction = ray.direction - climb * axis;
-    let radius = base_radius + slope * height;
-    let d = precise(test, across);
-    page.indented(|page| {
+    of.told(&what, page, |ray, page| {
+        let (axis, slope) = (cone.axis(), cone.slope());
+        let m = ray.origin - cone.base();
+        let (height, climb) = (m.dot(axis), ray.direction.dot(axis));
+        let across = m - height * axis;
+        let direction = ray.direction - climb * axis;
+        let radius = base_radius + slope * height;
+        let d = precise(test, across);
         page.headed(
             Part::Frame,
             format!(
@@ -215,7 +240,6 @@ pub(super) fn cone(
             );
             page.headed(Part::Height, text);
         }
-        verdict(&test.roots, course, page);
     });
 }
 
@@ -255,118 +279,6 @@ fn coefficients(ray: &Ray, radius: f64, test: &QuadraticTest, page: &mut Pen) {
     ));
 }
 
-/// The discriminant and the roots.
-fn roots(test: &QuadraticTest, page: &mut Pen) {
-    let (b2, ac4) = (test.b * test.b, 4.0 * test.a * test.c);
-    let size = b2.abs().max(ac4.abs());
-    let d = Digits::for_difference(size, test.discriminant);
-    let discriminant = format!(
-        ": b² − 4ac = {} {} = {}",
-        d.number(b2),
-        d.term(-ac4),
-        d.difference(size, test.discriminant)
-    );
-    match test.roots {
-        Roots::None if test.discriminant < 0.0 => {
-            page.headed(
-                Part::Discriminant,
-                format!("{discriminant} < 0: no real root"),
-            );
-        }
-        Roots::None => page.headed(
-            Part::Roots,
-            format!(
-                ": none, since a = 0 and b = 0, and c = {} is not 0",
-                d.number(test.c)
-            ),
-        ),
-        Roots::Graze(root) => {
-            page.headed(
-                Part::Discriminant,
-                format!("{discriminant}: one double root, a graze"),
-            );
-            let text = format!(
-                ": t = −b/2a = {}/{} = {}",
-                d.number(-test.b),
-                d.factor(2.0 * test.a),
-                d.number(root.t)
-            );
-            page.headed(Part::Roots, text);
-        }
-        Roots::Two { near, far } => {
-            page.headed(
-                Part::Discriminant,
-                format!("{discriminant} > 0: two real roots"),
-            );
-            let text = format!(
-                ": t = (−b ± √{})/2a = ({} ± {})/{} = {} and {}",
-                d.number(test.discriminant),
-                d.number(-test.b),
-                d.number(test.discriminant.sqrt()),
-                d.factor(2.0 * test.a),
-                d.number(near.t),
-                d.number(far.t)
-            );
-            page.headed(Part::Roots, text);
-        }
-        Roots::Linear(root) => {
-            let text = format!(
-                ": a = 0 leaves b·t + c = 0, one root t = −c/b = {}/{} = {}",
-                d.number(-test.c),
-                d.factor(test.b),
-                d.number(root.t)
-            );
-            page.headed(Part::Roots, text);
-        }
-    }
-}
-
-/// The verdict on each root.
-pub(super) fn verdict(roots: &Roots, course: &Course, page: &mut Pen) {
-    let fates = fates(roots, course);
-    let (tone, text) = match roots {
-        Roots::None => (Tone::Refused, ": none, missed".into()),
-        _ if roots.chosen().is_some() => (Tone::Found, format!(": {fates}")),
-        _ => (Tone::Refused, format!(": none, {fates}: missed")),
-    };
-    page.headed_line(tone, Part::Choice, text);
-}
-
-/// A miss: the equation with its numbers, and the verdict.
-fn quadratic_in_short(
-    context: &Context,
-    object: PrimitiveId,
-    what: &str,
-    test: &QuadraticTest,
-    course: &Course,
-    page: &mut Pen,
-) {
-    let (b2, ac4) = (test.b * test.b, 4.0 * test.a * test.c);
-    let d = Digits::for_difference(b2.abs().max(ac4.abs()), test.discriminant);
-    object_line(context, object, what, page);
-    let discriminant = format!(
-        " of {} {} {} = 0: b² − 4ac = {} {} = {}",
-        d.times(test.a, "t²"),
-        d.term_times(test.b, "t"),
-        d.term(test.c),
-        d.number(b2),
-        d.term(-ac4),
-        d.difference(b2.abs().max(ac4.abs()), test.discriminant)
-    );
-    page.indented(|page| {
-        let why = match test.roots {
-            Roots::None if test.discriminant < 0.0 => " < 0, no real root: missed",
-            Roots::None => ": no t solves it, missed",
-            _ => {
-                page.headed(Part::Discriminant, discriminant);
-                return verdict(&test.roots, course, page);
-            }
-        };
-        let text = format!("{discriminant}{why}");
-        page.headed_line(Tone::Refused, Part::Discriminant, text);
-    });
-}
-
 /// The name of an object and what it is.
 pub(super) fn object_line(context: &Context, object: PrimitiveId, what: &str, page: &mut Pen) {
     let name = context.name(object);
@@ -378,42 +290,4 @@ fn precise(test: &QuadraticTest, offset: DVec3) -> Digits {
     let (b2, ac4) = (test.b * test.b, 4.0 * test.a * test.c);
     let for_c = Digits::for_difference(offset.length_squared(), test.c);
     Digits::for_difference(b2.abs().max(ac4.abs()), test.discriminant).or(for_c)
-}
-
-/// The verdict on each root, in one sentence.
-fn fates(roots: &Roots, course: &Course) -> String {
-    let chosen = roots.chosen();
-    let sentences: Vec<String> = roots
-        .iter()
-        .map(|root| fate(root, chosen, course))
-        .collect();
-    sentences.join("; ")
-}
-
-/// The verdict on one root.
-pub(super) fn fate(root: Root, chosen: Option<f64>, course: &Course) -> String {
-    let d = Digits::USUAL;
-    let t = format!("t = {}", d.number(root.t));
-    match root.fate {
-        Fate::Chosen => format!("{t}, the smallest that counts: a hit"),
-        Fate::Behind if root.t == 0.0 => format!("{t} is the origin itself"),
-        Fate::Behind => format!("{t} lies behind the origin"),
-        Fate::BelowEpsilon => format!("{t} is 0 within ε: the surface that the ray starts on"),
-        Fate::BeyondNearest if chosen.is_some() => format!("{t} lies beyond it"),
-        Fate::BeyondNearest => match (course.nearest, course.start) {
-            (Some(nearest), _) => {
-                format!(
-                    "{t} is farther than the nearest hit so far, t = {}",
-                    d.number(nearest)
-                )
-            }
-            (None, Some(start)) if start.purpose == Purpose::Shadow => {
-                format!("{t} lies beyond the light")
-            }
-            _ => format!("{t} is too far"),
-        },
-        Fate::BackFace => format!("{t} is on the back, and only the front is visible"),
-        Fate::FrontFace => format!("{t} is on the front, and only the back is visible"),
-        Fate::BeyondEnds => format!("{t} lies beyond the ends of the surface"),
-    }
 }

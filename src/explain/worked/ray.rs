@@ -7,13 +7,14 @@ use crate::explain::worked::context::Context;
 use crate::explain::worked::extent::Extent;
 use crate::explain::worked::misses::{FOLDED_FROM, LONGEST_UNFOLDED};
 use crate::explain::worked::pen::Pen;
+use crate::explain::worked::quadratic::Tested;
 use crate::explain::worked::steps::{Course, Noted, Step, Test, Told, slab_rays, steps};
 use crate::explain::worked::{
     aligned, arrival, gathered, misses, photon, polygon, quadratic, ray_start, search, seen, shade,
     slabs, vertex,
 };
 use crate::scene::PrimitiveId;
-use crate::trace::{Event, Kind, Nearest, Outcome, Purpose, RayEnd, RayNode, RayStart};
+use crate::trace::{Event, Kind, Nearest, Purpose, RayEnd, RayNode, RayStart, RayVerdict};
 
 /// The whole working of a ray, with the rays that it spawned indented below.
 pub(super) fn ray(context: &Context, place: usize, page: &mut Pen) {
@@ -196,14 +197,17 @@ fn object_test(
 ) {
     if shows_test(context, test) {
         let full = context.options.all || test.hit().is_some();
+        let by_quadratic = |test| Tested {
+            context,
+            object,
+            test,
+            course,
+            full,
+        };
         match test {
-            Test::Sphere(working) => {
-                quadratic::sphere(context, object, working, course, full, page);
-            }
-            Test::Ellipsoid(working) => {
-                quadratic::ellipsoid(context, object, working, course, full, page);
-            }
-            Test::Cone(working) => quadratic::cone(context, object, working, course, full, page),
+            Test::Sphere(test) => quadratic::sphere(by_quadratic(test), page),
+            Test::Ellipsoid(test) => quadratic::ellipsoid(by_quadratic(test), page),
+            Test::Cone(test) => quadratic::cone(by_quadratic(test), page),
             Test::Box(working) => slabs::slabs(context, object, working, course, page),
             Test::Polygon {
                 plane,
@@ -281,7 +285,7 @@ fn child_in_short(context: &Context, place: usize, page: &mut Pen) {
     let node = &context.tree.rays[place];
     let title = ray_title(context, place);
     let end = node.end.map_or(String::new(), |end| {
-        format!(": {}", outcome(context, &end, node.start).1)
+        format!(": {}", verdict(context, &end, node.start).1)
     });
     let fold = Fold {
         hidden: 1,
@@ -293,7 +297,7 @@ fn child_in_short(context: &Context, place: usize, page: &mut Pen) {
 }
 
 /// What the end of a ray says something about, and what it says.
-fn outcome(context: &Context, end: &RayEnd, start: Option<RayStart>) -> (Part, String) {
+fn verdict(context: &Context, end: &RayEnd, start: Option<RayStart>) -> (Part, String) {
     let d = Digits::USUAL;
     let object = end.object.map_or("an object".into(), |id| context.name(id));
     let at = end
@@ -301,15 +305,15 @@ fn outcome(context: &Context, end: &RayEnd, start: Option<RayStart>) -> (Part, S
         .map_or(String::new(), |t| format!(" at t = {}", d.number(t)));
     let of_path =
         start.is_some_and(|start| matches!(start.purpose, Purpose::Light | Purpose::Scattered));
-    let part = match end.outcome {
-        Outcome::Blocked | Outcome::ReachesLight | Outcome::Connects => Part::Visibility,
+    let part = match end.verdict {
+        RayVerdict::Blocked | RayVerdict::ReachesLight | RayVerdict::Connects => Part::Visibility,
         _ if of_path => Part::Leg,
         _ => Part::RayColour,
     };
-    let text = match end.outcome {
-        Outcome::Hit => format!("the ray hits {object}{at}"),
-        Outcome::Miss => "the ray hits no object".into(),
-        Outcome::Blocked => {
+    let text = match end.verdict {
+        RayVerdict::Hit => format!("the ray hits {object}{at}"),
+        RayVerdict::Miss => "the ray hits no object".into(),
+        RayVerdict::Blocked => {
             let is_line = start.is_some_and(|start| start.purpose == Purpose::Connection);
             let shadow = if is_line {
                 ""
@@ -318,16 +322,16 @@ fn outcome(context: &Context, end: &RayEnd, start: Option<RayStart>) -> (Part, S
             };
             format!("blocked by {object}{at}{shadow}")
         }
-        Outcome::ReachesLight => "no object is in between, so the light is visible".into(),
-        Outcome::DepthLimit => format!(
+        RayVerdict::ReachesLight => "no object is in between, so the light is visible".into(),
+        RayVerdict::DepthLimit => format!(
             "the depth limit is {}, so the ray is not traced and brings no light",
             context.scene.max_depth
         ),
-        Outcome::Absorbed => format!("the ray hits {object}{at}, which absorbs it"),
-        Outcome::CutOff => {
+        RayVerdict::Absorbed => format!("the ray hits {object}{at}, which absorbs it"),
+        RayVerdict::CutOff => {
             format!("the ray hits {object}{at}, beyond the most surfaces of a path: it is cut off")
         }
-        Outcome::Connects => "no object is in between".into(),
+        RayVerdict::Connects => "no object is in between".into(),
     };
     (part, text)
 }
@@ -338,38 +342,38 @@ fn ray_end(context: &Context, end: &RayEnd, course: &Course, page: &mut Pen) {
         return;
     }
     let d = Digits::USUAL;
-    let tone = match end.outcome {
-        Outcome::Hit | Outcome::ReachesLight | Outcome::Connects => Tone::Found,
-        Outcome::Miss
-        | Outcome::Blocked
-        | Outcome::DepthLimit
-        | Outcome::Absorbed
-        | Outcome::CutOff => Tone::Refused,
+    let tone = match end.verdict {
+        RayVerdict::Hit | RayVerdict::ReachesLight | RayVerdict::Connects => Tone::Found,
+        RayVerdict::Miss
+        | RayVerdict::Blocked
+        | RayVerdict::DepthLimit
+        | RayVerdict::Absorbed
+        | RayVerdict::CutOff => Tone::Refused,
     };
-    match (end.outcome, end.colour) {
+    match (end.verdict, end.colour) {
         // Russian roulette has said it already
-        (Outcome::Hit | Outcome::Absorbed, None)
+        (RayVerdict::Hit | RayVerdict::Absorbed, None)
             if course.photon.is_some() && context.shows(Kind::Photon) => {}
-        (Outcome::Hit, Some(colour)) => {
+        (RayVerdict::Hit, Some(colour)) => {
             let sum = shade::sum(context, course).unwrap_or_default();
             let text = format!(": I = {sum}{}", d.vector(colour));
             page.headed_line(tone, Part::RayColour, text);
         }
-        (Outcome::Miss, Some(_)) if context.settings.transport.follows_light() => {
+        (RayVerdict::Miss, Some(_)) if context.settings.transport.follows_light() => {
             let text = ": no object is hit, so there is no light: only the lights emit any";
             page.result(tone, Part::RayColour, text);
         }
-        (Outcome::Miss, Some(colour)) => {
+        (RayVerdict::Miss, Some(colour)) => {
             let background = d.vector(colour);
             let text = format!(": no object is hit, so the background, {background}");
             page.result(tone, Part::RayColour, text);
         }
         _ => {
-            let leaves = match end.outcome {
-                Outcome::Miss => photon::leaves_with(context, &context.tree.rays[course.place]),
+            let leaves = match end.verdict {
+                RayVerdict::Miss => photon::leaves_with(context, &context.tree.rays[course.place]),
                 _ => None,
             };
-            let (part, text) = outcome(context, end, course.start);
+            let (part, text) = verdict(context, end, course.start);
             let leaves = leaves.unwrap_or_default();
             page.result(tone, part, format!(": {text}{leaves}"));
         }

@@ -7,8 +7,9 @@ use crate::explain::worked::aligned::turned_slab;
 use crate::explain::worked::context::Context;
 use crate::explain::worked::pen::Pen;
 use crate::explain::worked::quadratic;
+use crate::explain::worked::roots::choice;
 use crate::explain::worked::steps::Course;
-use crate::geometry::{Axis, BoxTest, Roots, SlabInterval};
+use crate::geometry::{Axis, BoxTest, Inside, Roots, SlabInterval};
 use crate::scene::{PrimitiveId, Shape};
 
 /// near = max of the near values, far = min of the far ones.
@@ -92,7 +93,7 @@ pub(super) fn slabs(
                     ": max near {near} ≤ min far {far}: inside all three slabs for t in [{near}, {far}]"
                 );
                 page.headed(Part::Interval, text);
-                quadratic::verdict(&test.roots, course, page);
+                choice(&test.roots, course, page);
             }
         }
     });
@@ -100,20 +101,10 @@ pub(super) fn slabs(
 
 fn no_common_t(test: &BoxTest) -> String {
     let d = Digits::USUAL;
-    let mut near = f64::NEG_INFINITY;
-    let mut far = f64::INFINITY;
-    for slab in test.slabs {
-        match slab {
-            SlabInterval::Between { near: n, far: f } => {
-                near = near.max(n);
-                far = far.min(f);
-            }
-            SlabInterval::ParallelInside => {}
-            SlabInterval::ParallelOutside => {
-                return ": empty, the ray is outside one slab for every t: missed".into();
-            }
-        }
+    if test.slabs.contains(&SlabInterval::ParallelOutside) {
+        return ": empty, the ray is outside one slab for every t: missed".into();
     }
+    let Inside { near, far } = test.slabs.into_iter().fold(Inside::EVERYWHERE, Inside::and);
     format!(
         ": max near {} > min far {}: no t in common, missed",
         d.number(near),

@@ -10,9 +10,9 @@ use crate::explain::worked::bare::bare_inside;
 use crate::explain::worked::context::Context;
 use crate::explain::worked::pen::Pen;
 use crate::explain::worked::steps::Course;
-use crate::geometry::{SlabInterval, TRange};
-use crate::structure::{SlabOutcome, SlabSet, SlabStep, Volume, VolumeKind};
-use crate::trace::{BoundOutcome, BoundTest, Bounded, Kind, Purpose, RaySlab, SlabTest};
+use crate::geometry::{AxisBox, SlabInterval, TRange};
+use crate::structure::{SlabSet, SlabStep, SlabVerdict, Volume, VolumeKind};
+use crate::trace::{BoundTest, BoundVerdict, Bounded, Kind, Purpose, RaySlab, SlabTest};
 
 /// S and T of the ray and one direction of slabs.
 pub(super) fn slab_ray(line: &RaySlab, course: &Course, page: &mut Pen) {
@@ -72,21 +72,21 @@ pub(super) fn bound_test(context: &Context, test: &BoundTest, course: &Course, p
     let begins = bare.map_or(String::new(), |[near, _]| d.number(near));
     let by_room = by_room_alone(test, bare, course);
     let of = bounded(context, test.of);
-    let outcome = match test.outcome {
-        BoundOutcome::Behind | BoundOutcome::Beyond if bare.is_none() => BoundOutcome::Missed,
-        outcome => outcome,
+    let verdict = match test.verdict {
+        BoundVerdict::Behind | BoundVerdict::Beyond if bare.is_none() => BoundVerdict::Missed,
+        verdict => verdict,
     };
-    let (tone, text) = match outcome {
-        BoundOutcome::Hit if let Some(why) = by_room => {
+    let (tone, text) = match verdict {
+        BoundVerdict::Hit if let Some(why) = by_room => {
             (Tone::Found, format!("{why}, so {tested}"))
         }
-        BoundOutcome::Hit => (Tone::Found, format!("hit, {stretch}, so {tested}")),
-        BoundOutcome::Missed => (Tone::Refused, format!("missed, so {left_out}")),
-        BoundOutcome::Behind => (
+        BoundVerdict::Hit => (Tone::Found, format!("hit, {stretch}, so {tested}")),
+        BoundVerdict::Missed => (Tone::Refused, format!("missed, so {left_out}")),
+        BoundVerdict::Behind => (
             Tone::Refused,
             format!("behind the origin, {stretch}, so {left_out}"),
         ),
-        BoundOutcome::Beyond => (
+        BoundVerdict::Beyond => (
             Tone::Refused,
             format!("begins at t = {begins}, {}, so {left_out}", beyond(course)),
         ),
@@ -117,9 +117,8 @@ fn volume_of(context: &Context, test: &BoundTest) -> Option<String> {
             Some(format!("center {center}, half axes {a}, {b} and {c}"))
         }
         Volume::Box(bound) => {
-            let low = d.vector(bound.d_max.map(|d_max| -d_max).into());
-            let high = d.vector(bound.d_min.map(|d_min| -d_min).into());
-            Some(format!("from {low} to {high}"))
+            let AxisBox { min, max } = bound.as_box();
+            Some(format!("from {} to {}", d.vector(min), d.vector(max)))
         }
         Volume::Slabs(_) | Volume::Nothing => None,
     }
@@ -141,12 +140,12 @@ fn by_room_alone(test: &BoundTest, bare: Option<[f64; 2]>, course: &Course) -> O
     let d = Digits::USUAL;
     let range = course.start.map_or(TRange::FORWARD, |start| start.range);
     let range = course.nearest.map_or(range, |t| range.up_to(t));
-    let what = match (BoundOutcome::of(bare, range), bare) {
-        (BoundOutcome::Hit, _) => return None,
-        (BoundOutcome::Behind, Some([_, far])) => {
+    let what = match (BoundVerdict::of(bare, range), bare) {
+        (BoundVerdict::Hit, _) => return None,
+        (BoundVerdict::Behind, Some([_, far])) => {
             format!("ends at t = {}, before the t that count", d.number(far))
         }
-        (BoundOutcome::Beyond, Some([near, _])) => {
+        (BoundVerdict::Beyond, Some([near, _])) => {
             format!("begins at t = {}, {}", d.number(near), beyond(course))
         }
         _ => "missed".into(),
@@ -268,8 +267,8 @@ fn without_products(step: &SlabStep) -> String {
 /// What all slabs so far have in common.
 fn interval(step: &SlabStep) -> (Tone, String) {
     let (near, far) = (step.max_near, step.min_far);
-    match step.outcome {
-        SlabOutcome::GoesOn | SlabOutcome::ParallelInside => {
+    match step.verdict {
+        SlabVerdict::GoesOn | SlabVerdict::ParallelInside => {
             let d = Digits::USUAL;
             let text = match (near.is_finite(), far.is_finite()) {
                 (true, true) => format!(
@@ -281,11 +280,11 @@ fn interval(step: &SlabStep) -> (Tone, String) {
             };
             (Tone::Plain, text)
         }
-        SlabOutcome::ParallelOutside => (
+        SlabVerdict::ParallelOutside => (
             Tone::Refused,
             ": empty, missed; no more slabs are tested".into(),
         ),
-        SlabOutcome::Null => {
+        SlabVerdict::Null => {
             let d = Digits::for_difference(near.abs().max(far.abs()), near - far);
             let sign = if far < near { ">" } else { "=" };
             let text = format!(

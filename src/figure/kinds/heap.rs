@@ -9,7 +9,7 @@ use crate::figure::kind::Kind;
 use crate::figure::parts::bound;
 use crate::figure::parts::scenery;
 use crate::figure::parts::tree::Tree;
-use crate::figure::parts::visits::{Fate, tested};
+use crate::figure::parts::visits::{Verdict, tested};
 use crate::figure::sheet::canvas::quantity;
 use crate::figure::sheet::frame::Frame;
 use crate::figure::sheet::look::Look;
@@ -231,12 +231,12 @@ impl Table {
         let at = |row: usize| DVec2::new(x, self.row(row));
         if let Some(taken) = turn.taken {
             sheet.at_step(turn.step);
-            let fate = if turn.is_stop() {
-                Fate::Pruned
+            let verdict = if turn.is_stop() {
+                Verdict::Pruned
             } else {
-                Fate::Entered
+                Verdict::Entered
             };
-            sheet.rectangle(fate.look(), self.cell(at(0)));
+            sheet.rectangle(verdict.look(), self.cell(at(0)));
             sheet.text(Anchor::Middle, at(0), entry_text(taken.node, taken.key));
             // from the top of the heap a column before
             let before = self.column(place) - self.column;

@@ -11,7 +11,7 @@ use crate::figure::parts::bound;
 use crate::figure::parts::outline;
 use crate::figure::parts::scenery;
 use crate::figure::parts::tree::Tree;
-use crate::figure::parts::visits::{Fate, Visits, met};
+use crate::figure::parts::visits::{Verdict, Visits, met};
 use crate::figure::sheet::frame::Frame;
 use crate::figure::sheet::look::Look;
 use crate::figure::sheet::{Anchor, Sheet};
@@ -72,10 +72,12 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
         visits,
     };
     let body = if figure.shows(Layer::Legend) {
-        let there = Fate::ALL
+        let there = Verdict::ALL
             .into_iter()
-            .filter(|fate| 0 < walk.visits.count(*fate));
-        let entries: Vec<(Look, &str)> = there.map(|fate| (fate.look(), fate.name())).collect();
+            .filter(|verdict| 0 < walk.visits.count(*verdict));
+        let entries: Vec<(Look, &str)> = there
+            .map(|verdict| (verdict.look(), verdict.name()))
+            .collect();
         sheet.legend(body, &entries)
     } else {
         body
@@ -118,7 +120,7 @@ impl Walk<'_> {
             if figure.shows(Layer::Volumes) {
                 sheet.at_step(visit.step);
                 let around = bound::outline(slabs, &stage.projection);
-                outline::draw(sheet, &stage, &around, visit.fate.look().outline());
+                outline::draw(sheet, &stage, &around, visit.verdict.look().outline());
             }
         }
         if figure.shows(Layer::Ray) {
@@ -192,11 +194,11 @@ impl Walk<'_> {
         // all of it is there from the beginning, and what becomes of a node is drawn in place of that
         for (number, node) in (0..).zip(&self.tree.nodes) {
             let visit = self.visits.nodes[number as usize];
-            let step = visit.step.filter(|_| visit.fate != Fate::Unreached);
+            let step = visit.step.filter(|_| visit.verdict != Verdict::Unreached);
             let looks = [
                 Some((None, Look::CULLED)),
                 step.map(|step| (Some(step), Look::PAPER_LINE)),
-                step.map(|step| (Some(step), visit.fate.look())),
+                step.map(|step| (Some(step), visit.verdict.look())),
             ];
             for (step, look) in looks.into_iter().flatten() {
                 sheet.at_step(step);
@@ -207,7 +209,13 @@ impl Walk<'_> {
                 }
                 sheet.circle(look, at(number), radius);
             }
-            mark(sheet, visit.fate, node.parent.map(at), at(number), radius);
+            mark(
+                sheet,
+                visit.verdict,
+                node.parent.map(at),
+                at(number),
+                radius,
+            );
             sheet.at_step(None);
             if 0.75 * sheet.letters <= radius {
                 sheet.text(Anchor::Middle, at(number), number.to_string());
@@ -250,11 +258,11 @@ impl Walk<'_> {
         let mut sentences = Vec::new();
         for &number in &self.visits.order {
             let node = &self.tree.nodes[number as usize];
-            let what = match self.visits.nodes[number as usize].fate {
-                Fate::Entered => "is entered",
-                Fate::Rejected => "is rejected",
-                Fate::Pruned => "is pruned, since it begins behind a hit",
-                Fate::Waiting | Fate::Unreached => continue,
+            let what = match self.visits.nodes[number as usize].verdict {
+                Verdict::Entered => "is entered",
+                Verdict::Rejected => "is rejected",
+                Verdict::Pruned => "is pruned, since it begins behind a hit",
+                Verdict::Waiting | Verdict::Unreached => continue,
             };
             let of: Vec<String> = node
                 .objects
@@ -268,7 +276,7 @@ impl Walk<'_> {
             };
             sentences.push(format!("Node {number}{of} {what}."));
         }
-        let unreached = self.visits.count(Fate::Unreached);
+        let unreached = self.visits.count(Verdict::Unreached);
         if 0 < unreached {
             sentences.push(format!(
                 "{unreached} of {} nodes are never reached.",
@@ -286,13 +294,13 @@ impl Walk<'_> {
 }
 
 /// What a refused node has on the line to its parent: a cross, or two strokes where it was cut off.
-fn mark(sheet: &mut Sheet, fate: Fate, parent: Option<DVec2>, at: DVec2, radius: f64) {
+fn mark(sheet: &mut Sheet, verdict: Verdict, parent: Option<DVec2>, at: DVec2, radius: f64) {
     let along = parent.map_or(DVec2::NEG_Y, |parent| (parent - at).normalize_or_zero());
-    let look = fate.look().outline();
+    let look = verdict.look().outline();
     let middle = at + 2.0 * radius * along;
-    match fate {
-        Fate::Rejected => sheet.cross(look, middle),
-        Fate::Pruned => {
+    match verdict {
+        Verdict::Rejected => sheet.cross(look, middle),
+        Verdict::Pruned => {
             let look = Look {
                 dash: crate::figure::sheet::look::Dash::Solid,
                 ..look
@@ -303,6 +311,6 @@ fn mark(sheet: &mut Sheet, fate: Fate, parent: Option<DVec2>, at: DVec2, radius:
                 sheet.line(look, middle - across, middle + across);
             }
         }
-        Fate::Entered | Fate::Waiting | Fate::Unreached => {}
+        Verdict::Entered | Verdict::Waiting | Verdict::Unreached => {}
     }
 }

@@ -21,7 +21,7 @@ use crate::figure::spec::Layer;
 use crate::figure::subject::Figure;
 use crate::figure::view::{Projection, Stage};
 use crate::geometry::{Ray, SlabInterval};
-use crate::structure::SlabOutcome;
+use crate::structure::SlabVerdict;
 
 pub(super) const KIND: Kind = Kind {
     draw,
@@ -208,8 +208,8 @@ fn in_words(figure: &Figure, found: &SlabTests, slabs: usize) -> String {
         let step = &test.step;
         let number = step.slab;
         let (near, far) = (quantity(step.max_near), quantity(step.min_far));
-        sentences.push(match (step.interval, step.outcome) {
-            (SlabInterval::Between { near: a, far: b }, SlabOutcome::Null) => format!(
+        sentences.push(match (step.interval, step.verdict) {
+            (SlabInterval::Between { near: a, far: b }, SlabVerdict::Null) => format!(
                 "Slab {number}: near {}, far {}; the largest near, {near}, is above the smallest far, {far}: null.",
                 quantity(a),
                 quantity(b)
@@ -219,7 +219,7 @@ fn in_words(figure: &Figure, found: &SlabTests, slabs: usize) -> String {
                 quantity(a),
                 quantity(b)
             ),
-            (_, SlabOutcome::ParallelOutside | SlabOutcome::Null) => {
+            (_, SlabVerdict::ParallelOutside | SlabVerdict::Null) => {
                 format!("Slab {number}: parallel and outside: null.")
             }
             _ => format!("Slab {number}: parallel and inside."),

@@ -16,7 +16,7 @@ use crate::figure::traced::Section;
 use crate::figure::view::Stage;
 use crate::geometry::Ray;
 use crate::scene::PrimitiveId;
-use crate::trace::{Outcome, Purpose, RayNode, RayTree};
+use crate::trace::{Purpose, RayNode, RayTree, RayVerdict};
 
 pub(super) const KIND: Kind = Kind {
     draw,
@@ -156,7 +156,8 @@ fn end_of(node: &RayNode) -> Option<DVec3> {
     let (start, end) = (node.start?, node.end?);
     let t = end.t.or_else(|| {
         // a ray to a light ends there, a connecting line at its other end
-        matches!(end.outcome, Outcome::ReachesLight | Outcome::Connects).then_some(start.range.max)
+        matches!(end.verdict, RayVerdict::ReachesLight | RayVerdict::Connects)
+            .then_some(start.range.max)
     })?;
     t.is_finite().then(|| start.ray.at(t))
 }
@@ -172,7 +173,7 @@ fn ray(
     let (Some(start), Some(end)) = (node.start, node.end) else {
         return;
     };
-    if end.outcome == Outcome::DepthLimit {
+    if end.verdict == RayVerdict::DepthLimit {
         return;
     }
     let from = stage.place(start.ray.origin);
@@ -191,27 +192,27 @@ fn ray(
     // the head ends where the mark begins, or the light
     let head = if has_mark {
         4.0 * sheet.unit()
-    } else if end.outcome == Outcome::ReachesLight && figure.shows(Layer::Lights) {
+    } else if end.verdict == RayVerdict::ReachesLight && figure.shows(Layer::Lights) {
         11.0 * sheet.unit()
     } else {
         0.0
     };
     sheet.arrow(look(start.purpose), from, to - head * along);
-    if end.outcome == Outcome::Blocked {
+    if end.verdict == RayVerdict::Blocked {
         // where it would have gone
         let light = stage.place(start.ray.at(start.range.max));
         if let Some([from, to]) = stage.frame.cut_line([to, light]) {
             sheet.line(Look::LINE_OF_RAY, from, to);
         }
     }
-    if has_mark && end.outcome == Outcome::Blocked {
+    if has_mark && end.verdict == RayVerdict::Blocked {
         sheet.cross(Look::REJECTED, to);
     } else if has_mark {
         sheet.dot(Look::HIT, to);
     }
-    let text = match (start.purpose, end.outcome) {
-        (Purpose::Shadow, Outcome::Blocked) => "blocked",
-        (Purpose::Eye, Outcome::Miss) => "eye ray, misses",
+    let text = match (start.purpose, end.verdict) {
+        (Purpose::Shadow, RayVerdict::Blocked) => "blocked",
+        (Purpose::Eye, RayVerdict::Miss) => "eye ray, misses",
         (purpose, _) => name(purpose),
     };
     if !figure.shows(Layer::Legend) && !named.contains(&text) {
@@ -252,14 +253,14 @@ fn in_words(figure: &Figure, node: &RayNode) -> Option<String> {
         Purpose::Light => format!("The path of light{to_light}"),
         Purpose::Connection => "The connecting line".into(),
     };
-    Some(match end.outcome {
-        Outcome::Hit => format!("{what} meets {object}."),
-        Outcome::Miss => format!("{what} misses all objects."),
-        Outcome::Blocked => format!("{what} is blocked by {object}."),
-        Outcome::ReachesLight => format!("{what} arrives."),
-        Outcome::DepthLimit => format!("{what} is not traced: the depth limit is reached."),
-        Outcome::Absorbed => format!("{what} is absorbed by {object}."),
-        Outcome::CutOff => format!("{what} is cut off at {object}."),
-        Outcome::Connects => format!("{what} meets nothing."),
+    Some(match end.verdict {
+        RayVerdict::Hit => format!("{what} meets {object}."),
+        RayVerdict::Miss => format!("{what} misses all objects."),
+        RayVerdict::Blocked => format!("{what} is blocked by {object}."),
+        RayVerdict::ReachesLight => format!("{what} arrives."),
+        RayVerdict::DepthLimit => format!("{what} is not traced: the depth limit is reached."),
+        RayVerdict::Absorbed => format!("{what} is absorbed by {object}."),
+        RayVerdict::CutOff => format!("{what} is cut off at {object}."),
+        RayVerdict::Connects => format!("{what} meets nothing."),
     })
 }

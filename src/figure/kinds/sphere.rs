@@ -19,7 +19,7 @@ use crate::figure::sheet::{Anchor, Sheet};
 use crate::figure::spec::Layer;
 use crate::figure::subject::{DrawnRay, Figure};
 use crate::figure::view::Stage;
-use crate::geometry::{Fate, QuadraticTest, Ray, Root, Roots, Sphere};
+use crate::geometry::{QuadraticTest, Ray, Root, RootVerdict, Roots, Sphere};
 use crate::scene::{PrimitiveId, Shape};
 use crate::trace::{Event, Shade};
 
@@ -108,15 +108,15 @@ impl Solved {
 
     /// What became of a root.
     fn why(&self, root: Root) -> &'static str {
-        match root.fate {
-            Fate::Chosen => "the hit",
-            Fate::Behind => "behind the origin",
-            Fate::BelowEpsilon => "0 within ε",
-            Fate::BeyondNearest if self.test.roots.chosen().is_some() => "farther",
-            Fate::BeyondNearest => "beyond the nearest hit",
-            Fate::BackFace => "on the back",
-            Fate::FrontFace => "on the front",
-            Fate::BeyondEnds => "beyond the ends",
+        match root.verdict {
+            RootVerdict::Chosen => "the hit",
+            RootVerdict::Behind => "behind the origin",
+            RootVerdict::BelowEpsilon => "0 within ε",
+            RootVerdict::BeyondNearest if self.test.roots.chosen().is_some() => "farther",
+            RootVerdict::BeyondNearest => "beyond the nearest hit",
+            RootVerdict::BackFace => "on the back",
+            RootVerdict::FrontFace => "on the front",
+            RootVerdict::BeyondEnds => "beyond the ends",
         }
     }
 }
@@ -168,8 +168,8 @@ fn in_space(figure: &Figure, sheet: &mut Sheet, frame: Frame, solved: &Solved) {
     );
     for (name, root) in &roots {
         let at = stage.place(ray.at(root.t));
-        let text = match (figure.shows(Layer::Normals), root.fate) {
-            (true, Fate::Chosen) => "(x, y, z)".into(),
+        let text = match (figure.shows(Layer::Normals), root.verdict) {
+            (true, RootVerdict::Chosen) => "(x, y, z)".into(),
             (true, _) => continue,
             _ if numbers => format!("{name} = {}, {}", quantity(root.t), solved.why(*root)),
             _ => format!("{name}, {}", solved.why(*root)),

@@ -21,7 +21,7 @@ use crate::figure::view::{Projection, Stage};
 use crate::geometry::Ray;
 use crate::scene::{Object, Scene, Shape};
 use crate::structure::VolumeKind;
-use crate::trace::{BoundOutcome, BoundTest, Bounded, Event, StrategyName};
+use crate::trace::{BoundTest, BoundVerdict, Bounded, Event, StrategyName};
 
 pub(super) const KIND: Kind = Kind {
     draw,
@@ -32,7 +32,7 @@ pub(super) const KIND: Kind = Kind {
 
 /// What became of a ray.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Fate {
+enum Verdict {
     /// It met the volume and the object.
     Hit,
     /// It met the volume: the object was tested in vain.
@@ -41,7 +41,7 @@ enum Fate {
     Rejected,
 }
 
-impl Fate {
+impl Verdict {
     const ALL: [Self; 3] = [Self::Hit, Self::InVain, Self::Rejected];
 
     fn look(self) -> Look {
@@ -65,7 +65,7 @@ impl Fate {
 struct Tested {
     ray: Ray,
     bound: BoundTest,
-    fate: Fate,
+    verdict: Verdict,
     /// Where the object was met.
     t: Option<f64>,
     /// The step of the volume's test.
@@ -91,12 +91,14 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
     let panels = panels.collect::<Result<Vec<_>, _>>()?;
 
     let body = if figure.shows(Layer::Legend) && figure.shows(Layer::Ray) {
-        let is_there = |fate: &Fate| {
+        let is_there = |verdict: &Verdict| {
             let mut rays = panels.iter().flat_map(|panel| &panel.rays);
-            rays.any(|ray| ray.fate == *fate)
+            rays.any(|ray| ray.verdict == *verdict)
         };
-        let entries = Fate::ALL.into_iter().filter(is_there);
-        let entries: Vec<(Look, &str)> = entries.map(|fate| (fate.look(), fate.words())).collect();
+        let entries = Verdict::ALL.into_iter().filter(is_there);
+        let entries: Vec<(Look, &str)> = entries
+            .map(|verdict| (verdict.look(), verdict.words()))
+            .collect();
         sheet.legend(body, &entries)
     } else {
         body
@@ -208,15 +210,15 @@ fn tested(scene: &Scene, ray: &DrawnRay, number: usize) -> Option<Tested> {
             Event::Nearest(nearest) if of_object(nearest.object) => Some(nearest.t),
             _ => None,
         });
-    let fate = match (bound.outcome, nearest) {
-        (BoundOutcome::Hit, Some(_)) => Fate::Hit,
-        (BoundOutcome::Hit, None) => Fate::InVain,
-        _ => Fate::Rejected,
+    let verdict = match (bound.verdict, nearest) {
+        (BoundVerdict::Hit, Some(_)) => Verdict::Hit,
+        (BoundVerdict::Hit, None) => Verdict::InVain,
+        _ => Verdict::Rejected,
     };
     Some(Tested {
         ray: start.ray,
         bound,
-        fate,
+        verdict,
         t: nearest,
         step,
     })
@@ -268,7 +270,10 @@ fn rays(count: usize) -> String {
 fn title_of(figure: &Figure, panel: &Panel) -> String {
     let mut title = format!("{}: {} empty", name(panel.kind), percent(panel.wasted));
     if figure.shows(Layer::Ray) {
-        let in_vain = panel.rays.iter().filter(|ray| ray.fate == Fate::InVain);
+        let in_vain = panel
+            .rays
+            .iter()
+            .filter(|ray| ray.verdict == Verdict::InVain);
         title = format!("{title}, {} in vain", rays(in_vain.count()));
     }
     title
@@ -297,15 +302,15 @@ fn draw_panel(figure: &Figure, sheet: &mut Sheet, stage: &Stage, panel: &Panel, 
         };
         let to = place(tested.t.unwrap_or(edge));
         sheet.at_step(tested.step);
-        sheet.arrow(tested.fate.look(), place(0.0), to);
-        if let (Fate::InVain, Some([near, far])) = (tested.fate, tested.bound.inside) {
+        sheet.arrow(tested.verdict.look(), place(0.0), to);
+        if let (Verdict::InVain, Some([near, far])) = (tested.verdict, tested.bound.inside) {
             let solid = Look {
                 dash: Dash::Solid,
-                ..tested.fate.look()
+                ..tested.verdict.look()
             };
             sheet.line(solid.wide(3.5), place(near), place(far));
         }
-        if tested.fate == Fate::Hit {
+        if tested.verdict == Verdict::Hit {
             sheet.dot(Look::HIT, to);
         }
     }
@@ -318,10 +323,14 @@ fn in_words(figure: &Figure, panel: &Panel) -> String {
     let empty = percent(panel.wasted);
     let mut sentence = format!("{}, {empty} of its outline empty", name(panel.kind));
     if figure.shows(Layer::Ray) {
-        for fate in Fate::ALL {
-            let count = panel.rays.iter().filter(|ray| ray.fate == fate).count();
+        for verdict in Verdict::ALL {
+            let count = panel
+                .rays
+                .iter()
+                .filter(|ray| ray.verdict == verdict)
+                .count();
             if 0 < count {
-                sentence = format!("{sentence}, {} {}", rays(count), fate.words());
+                sentence = format!("{sentence}, {} {}", rays(count), verdict.words());
             }
         }
     }

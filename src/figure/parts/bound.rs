@@ -12,7 +12,7 @@ use crate::figure::sheet::frame::Frame;
 use crate::figure::sheet::look::Look;
 use crate::figure::traced::Traced;
 use crate::figure::view::{Projection, Stage};
-use crate::geometry::MOST_SLABS;
+use crate::geometry::{AxisBox, MOST_SLABS};
 use crate::structure::{Hierarchy, SlabBound, SlabChoice, SlabSet, Volume, VolumeKind};
 use crate::trace::{Bounded, RaySlab, SlabTest, StrategyName};
 
@@ -132,9 +132,9 @@ pub(in crate::figure) fn corners(slabs: &[Slab]) -> Vec<DVec3> {
 fn holds(slab: &Slab, p: DVec3) -> bool {
     /// Of the coordinates, for the rounding of a corner.
     const ROUNDING: f64 = 1e-9;
-    let room = ROUNDING * (1.0 + p.abs().max_element());
+    let tolerance = ROUNDING * (1.0 + p.abs().max_element());
     let place = slab.normal.dot(p);
-    -slab.d_max - room <= place && place <= -slab.d_min + room
+    -slab.d_max - tolerance <= place && place <= -slab.d_min + tolerance
 }
 
 /// How the intersection of slabs is seen: a box with its edges, or else what is around all corners.
@@ -142,11 +142,11 @@ pub(in crate::figure) fn outline(slabs: &[Slab], projection: &Projection) -> Out
     if let [x, y, z] = slabs
         && [x.normal, y.normal, z.normal] == DVec3::AXES
     {
-        let [min, max] = [
-            DVec3::new(-x.d_max, -y.d_max, -z.d_max),
-            DVec3::new(-x.d_min, -y.d_min, -z.d_min),
-        ];
-        return Outline::of_box(min, max, projection);
+        let around = AxisBox {
+            min: DVec3::new(-x.d_max, -y.d_max, -z.d_max),
+            max: DVec3::new(-x.d_min, -y.d_min, -z.d_min),
+        };
+        return Outline::of_box(&around, projection);
     }
     let corners = corners(slabs);
     Outline {

@@ -108,7 +108,7 @@ pub(in crate::figure) fn gathered_from<'a>(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::trace::Outcome;
+    use crate::trace::RayVerdict;
 
     const START: RayStart = RayStart {
         purpose: Purpose::Light,
@@ -126,7 +126,7 @@ mod tests {
         light: None,
     };
     const END: RayEnd = RayEnd {
-        outcome: Outcome::Hit,
+        verdict: RayVerdict::Hit,
         object: None,
         t: Some(1.0),
         colour: None,

@@ -11,7 +11,7 @@ use crate::figure::parts::turn::at_angle;
 use crate::figure::sheet::look::Look;
 use crate::figure::sheet::{Form, Sheet};
 use crate::figure::view::{Projection, Stage};
-use crate::geometry::{Cone, OrientedEllipsoid};
+use crate::geometry::{AxisBox, Cone, OrientedEllipsoid};
 use crate::scene::Shape;
 
 /// A shape in a projection, not yet on a sheet.
@@ -77,7 +77,7 @@ impl Outline {
                 let half_axes = DVec3::AXES.map(|axis| axis * egg.radii);
                 Self::of_half_axes(egg.center, half_axes, projection)
             }
-            Shape::Box(solid) => Self::of_box(solid.min, solid.max, projection),
+            Shape::Box(solid) => Self::of_box(solid, projection),
             Shape::Cone(cone) => Self::of_cone(cone, projection),
             Shape::Polygon(polygon) => Self {
                 rim: Rim::Points(polygon.vertices().map(|p| projection.of(p)).collect()),
@@ -125,10 +125,10 @@ impl Outline {
     }
 
     /// A box: of its twelve edges three meet in the corner that is furthest away.
-    pub(in crate::figure) fn of_box(min: DVec3, max: DVec3, projection: &Projection) -> Self {
+    pub(in crate::figure) fn of_box(solid: &AxisBox, projection: &Projection) -> Self {
         let towards = projection.towards();
         let at = |high: [bool; 3]| {
-            let [x, y, z] = [0, 1, 2].map(|i| if high[i] { max[i] } else { min[i] });
+            let [x, y, z] = [0, 1, 2].map(|i| solid.along(i)[usize::from(high[i])]);
             projection.of(DVec3::new(x, y, z))
         };
         let far = [0, 1, 2].map(|i| towards[i] < 0.0);
@@ -359,16 +359,23 @@ mod tests {
         );
     }
 
+    fn unit() -> AxisBox {
+        AxisBox {
+            min: DVec3::ZERO,
+            max: DVec3::ONE,
+        }
+    }
+
     #[test]
     fn a_box_shows_nine_edges_and_hides_three() {
-        let outline = Outline::of_box(DVec3::ZERO, DVec3::ONE, &slanted());
+        let outline = Outline::of_box(&unit(), &slanted());
         assert_eq!((outline.edges.len(), outline.hidden.len()), (9, 3));
         // the hidden ones meet in the origin, which is furthest from who looks along (1, 1, 1)
         for edge in &outline.hidden {
             assert!(edge.contains(&DVec2::ZERO), "{edge:?}");
         }
         assert_eq!(outline.rim.points().len(), 6);
-        let flat = Outline::of_box(DVec3::ZERO, DVec3::ONE, &front());
+        let flat = Outline::of_box(&unit(), &front());
         assert_eq!(flat.rim.points().len(), 4);
     }
 

@@ -6,7 +6,7 @@ use crate::figure::sheet::canvas::quantity;
 use crate::figure::sheet::frame::Frame;
 use crate::figure::sheet::look::Look;
 use crate::figure::sheet::{Anchor, Sheet};
-use crate::geometry::{Fate, QuadraticTest, Root, Roots};
+use crate::geometry::{QuadraticTest, Root, RootVerdict, Roots};
 
 /// The vertex: t = -b/2a, y = -(b² - 4ac)/4a, which is 0 where the discriminant is 0 but for rounding. a is not 0.
 ///
@@ -30,7 +30,7 @@ pub(in crate::figure) fn roots(test: &QuadraticTest) -> Vec<(&'static str, Root)
 
 /// A root on a line: a point if it is the hit, else a cross.
 pub(in crate::figure) fn mark_root(sheet: &mut Sheet, root: Root, at: DVec2) {
-    if root.fate == Fate::Chosen {
+    if root.verdict == RootVerdict::Chosen {
         sheet.dot(Look::HIT, at);
     } else {
         sheet.cross(Look::REJECTED, at);

@@ -11,7 +11,7 @@ use crate::figure::sheet::look::Look;
 use crate::figure::spec::Layer;
 use crate::figure::subject::{DrawnRay, Figure};
 use crate::figure::view::{Projection, Stage};
-use crate::geometry::Ray;
+use crate::geometry::{AxisBox, Ray};
 use crate::trace::GridEnter;
 
 /// A walk on a stage.
@@ -171,16 +171,14 @@ fn shown_part(figure: &Figure, ray: &DrawnRay, walk: &Walk, lattice: &Lattice) -
 
 /// Where the planes of a grid lie: the corners of its cells.
 pub(in crate::figure) struct Lattice {
-    min: DVec3,
-    max: DVec3,
+    around: AxisBox,
     pub(in crate::figure) resolution: [u32; 3],
 }
 
 impl Lattice {
     pub(in crate::figure) fn of(grid: &GridEnter) -> Self {
         Self {
-            min: grid.min,
-            max: grid.max,
+            around: grid.around,
             resolution: grid.resolution,
         }
     }
@@ -188,7 +186,7 @@ impl Lattice {
     /// The corner between cells: min + (max − min)·at/n.
     pub(in crate::figure) fn corner(&self, at: [u32; 3]) -> DVec3 {
         let share = [0, 1, 2].map(|axis| f64::from(at[axis]) / f64::from(self.resolution[axis]));
-        self.min + (self.max - self.min) * DVec3::from(share)
+        self.around.min + self.around.size() * DVec3::from(share)
     }
 
     /// All corners of the box.
@@ -201,13 +199,14 @@ impl Lattice {
 
     /// The whole box in a projection.
     pub(in crate::figure) fn whole(&self, projection: &Projection) -> Outline {
-        Outline::of_box(self.min, self.max, projection)
+        Outline::of_box(&self.around, projection)
     }
 
     /// A cell in a projection.
     pub(in crate::figure) fn cell(&self, cell: [u32; 3], projection: &Projection) -> Outline {
         let next = cell.map(|at| at + 1);
-        Outline::of_box(self.corner(cell), self.corner(next), projection)
+        let [min, max] = [cell, next].map(|at| self.corner(at));
+        Outline::of_box(&AxisBox { min, max }, projection)
     }
 
     /// What is seen of a cell on a stage; `None` if it lies outside the frame.
@@ -224,7 +223,7 @@ impl Lattice {
 
     /// The length of the box's diagonal.
     pub(in crate::figure) fn diagonal(&self) -> f64 {
-        (self.max - self.min).length()
+        self.around.size().length()
     }
 }
 
@@ -253,8 +252,10 @@ mod tests {
     #[test]
     fn the_corners_of_the_cells_cut_the_box_into_equal_parts() {
         let lattice = Lattice::of(&GridEnter {
-            min: DVec3::new(-1.0, 0.0, 2.0),
-            max: DVec3::new(3.0, 1.0, 8.0),
+            around: AxisBox {
+                min: DVec3::new(-1.0, 0.0, 2.0),
+                max: DVec3::new(3.0, 1.0, 8.0),
+            },
             resolution: [4, 1, 3],
             ..GridEnter::default()
         });

@@ -9,7 +9,7 @@ use crate::figure::sheet::look::{Fill, Look};
 use crate::figure::sheet::{Anchor, Sheet};
 use crate::figure::view::Stage;
 use crate::geometry::{Ray, SlabInterval};
-use crate::structure::{SlabOutcome, SlabStep};
+use crate::structure::{SlabStep, SlabVerdict};
 
 /// What all slabs so far have in common.
 pub(in crate::figure) const COMMON: Look = Look {
@@ -74,7 +74,7 @@ impl Axis<'_> {
                     (start, end) = (format!("near {start}"), format!("{end} far"));
                 }
                 // inside the bar's end what has no room before or behind it: there the axis ends, or the crossing is
-                let is_null = step.outcome == SlabOutcome::Null;
+                let is_null = step.verdict == SlabVerdict::Null;
                 let before = from - gap - sheet.width_of(&start);
                 if starts && !is_null && self.frame.min.x <= before {
                     sheet.text(Anchor::End, DVec2::new(from - gap, middle), start);
@@ -119,9 +119,9 @@ impl Axis<'_> {
         let y = self.middle(row);
         if !step.max_near.is_finite() || !step.min_far.is_finite() {
             // the ray is parallel to every slab that was looked at: there is no t to show
-            let text = match step.outcome {
-                SlabOutcome::ParallelOutside | SlabOutcome::Null => "null at every t",
-                SlabOutcome::ParallelInside | SlabOutcome::GoesOn => "inside at every t",
+            let text = match step.verdict {
+                SlabVerdict::ParallelOutside | SlabVerdict::Null => "null at every t",
+                SlabVerdict::ParallelInside | SlabVerdict::GoesOn => "inside at every t",
             };
             let (left, _) = self.ends();
             sheet.text(Anchor::Start, DVec2::new(left, y), text);
@@ -132,8 +132,8 @@ impl Axis<'_> {
         let max_near = format!("max near {}", quantity(step.max_near));
         let min_far = format!("min far {}", quantity(step.min_far));
         let is_null = matches!(
-            step.outcome,
-            SlabOutcome::Null | SlabOutcome::ParallelOutside
+            step.verdict,
+            SlabVerdict::Null | SlabVerdict::ParallelOutside
         );
         let (left, right, texts) = if far < near {
             (far, near, [min_far, format!("{max_near}: null")])
@@ -161,15 +161,15 @@ impl Axis<'_> {
     fn common(&self, sheet: &mut Sheet, row: usize, step: &SlabStep) {
         let y = self.middle(row) + 0.4 * sheet.line_height();
         let [(near, _), (far, _)] = [step.max_near, step.min_far].map(|t| self.place(t));
-        match step.outcome {
-            SlabOutcome::GoesOn | SlabOutcome::ParallelInside => {
+        match step.verdict {
+            SlabVerdict::GoesOn | SlabVerdict::ParallelInside => {
                 sheet.line(COMMON, DVec2::new(near, y), DVec2::new(far, y));
             }
-            SlabOutcome::Null => {
+            SlabVerdict::Null => {
                 sheet.line(CROSSED, DVec2::new(far, y), DVec2::new(near, y));
                 sheet.cross(CROSSED, DVec2::new(0.5 * (near + far), y));
             }
-            SlabOutcome::ParallelOutside => {}
+            SlabVerdict::ParallelOutside => {}
         }
     }
 

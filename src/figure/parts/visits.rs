@@ -3,11 +3,11 @@
 use crate::figure::sheet::look::{Colour, Dash, Look};
 use crate::figure::subject::DrawnRay;
 use crate::scene::PrimitiveId;
-use crate::trace::{BoundOutcome, Bounded, Event, NodeOutcome, Record};
+use crate::trace::{BoundVerdict, Bounded, Event, NodeVerdict, Record};
 
 /// What became of a node in the end.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(in crate::figure) enum Fate {
+pub(in crate::figure) enum Verdict {
     /// The ray never came to it.
     #[default]
     Unreached,
@@ -21,7 +21,7 @@ pub(in crate::figure) enum Fate {
     Pruned,
 }
 
-impl Fate {
+impl Verdict {
     pub(in crate::figure) const ALL: [Self; 5] = [
         Self::Entered,
         Self::Rejected,
@@ -30,7 +30,8 @@ impl Fate {
         Self::Unreached,
     ];
 
-    /// How a node looks that had it: each has a pattern of its own, and [`Fate::Rejected`] and [`Fate::Pruned`] a mark.
+    /// How a node with this verdict looks: each has a pattern of its own, and [`Verdict::Rejected`] and
+    /// [`Verdict::Pruned`] a mark.
     pub(in crate::figure) fn look(self) -> Look {
         match self {
             Self::Entered => Look::VISITED.wide(2.0),
@@ -60,10 +61,10 @@ impl Fate {
     }
 }
 
-/// A node and its fate, with the step that decided it.
+/// What became of a node, with the step that decided it.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(in crate::figure) struct Visit {
-    pub(in crate::figure) fate: Fate,
+    pub(in crate::figure) verdict: Verdict,
     pub(in crate::figure) step: Option<u32>,
 }
 
@@ -88,19 +89,19 @@ impl Visits {
         for record in events {
             let step = Some(record.step);
             match &record.event {
-                Event::BoundTest(test) if test.outcome == BoundOutcome::Hit => {
+                Event::BoundTest(test) if test.verdict == BoundVerdict::Hit => {
                     if let Bounded::Node(node) = test.of {
-                        let fate = Fate::Waiting;
-                        visits.set(node, Visit { fate, step });
+                        let verdict = Verdict::Waiting;
+                        visits.set(node, Visit { verdict, step });
                     }
                 }
                 Event::Node(visit) => {
-                    let fate = match visit.outcome {
-                        NodeOutcome::Entered => Fate::Entered,
-                        NodeOutcome::Rejected => Fate::Rejected,
-                        NodeOutcome::Pruned => Fate::Pruned,
+                    let verdict = match visit.verdict {
+                        NodeVerdict::Entered => Verdict::Entered,
+                        NodeVerdict::Rejected => Verdict::Rejected,
+                        NodeVerdict::Pruned => Verdict::Pruned,
                     };
-                    visits.set(visit.node, Visit { fate, step });
+                    visits.set(visit.node, Visit { verdict, step });
                     if (visit.node as usize) < nodes {
                         visits.order.push(visit.node);
                     }
@@ -129,9 +130,12 @@ impl Visits {
         }
     }
 
-    /// How many nodes had a fate.
-    pub(in crate::figure) fn count(&self, fate: Fate) -> usize {
-        self.nodes.iter().filter(|visit| visit.fate == fate).count()
+    /// How many nodes have this verdict.
+    pub(in crate::figure) fn count(&self, verdict: Verdict) -> usize {
+        self.nodes
+            .iter()
+            .filter(|visit| visit.verdict == verdict)
+            .count()
     }
 }
 
@@ -174,15 +178,15 @@ mod tests {
     fn met(node: u32) -> Event {
         Event::BoundTest(BoundTest {
             of: Bounded::Node(node),
-            outcome: BoundOutcome::Hit,
+            verdict: BoundVerdict::Hit,
             ..BoundTest::default()
         })
     }
 
-    fn decided(node: u32, outcome: NodeOutcome) -> Event {
+    fn decided(node: u32, verdict: NodeVerdict) -> Event {
         Event::Node(NodeVisit {
             node,
-            outcome,
+            verdict,
             ..NodeVisit::default()
         })
     }
@@ -191,17 +195,22 @@ mod tests {
     fn a_node_that_was_met_waits_until_it_is_decided() {
         let records = [
             record(1, met(0)),
-            record(2, decided(0, NodeOutcome::Entered)),
+            record(2, decided(0, NodeVerdict::Entered)),
             record(3, met(1)),
             record(4, met(2)),
-            record(5, decided(2, NodeOutcome::Pruned)),
+            record(5, decided(2, NodeVerdict::Pruned)),
             // a number that the hierarchy does not have
-            record(6, decided(9, NodeOutcome::Entered)),
+            record(6, decided(9, NodeVerdict::Entered)),
         ];
         let visits = Visits::of(&records.iter().collect::<Vec<_>>(), 4);
-        let fates: Vec<Fate> = visits.nodes.iter().map(|visit| visit.fate).collect();
-        let expected = [Fate::Entered, Fate::Waiting, Fate::Pruned, Fate::Unreached];
-        assert_eq!(fates, expected);
+        let verdicts: Vec<Verdict> = visits.nodes.iter().map(|visit| visit.verdict).collect();
+        let expected = [
+            Verdict::Entered,
+            Verdict::Waiting,
+            Verdict::Pruned,
+            Verdict::Unreached,
+        ];
+        assert_eq!(verdicts, expected);
         assert_eq!(visits.order, [0, 2]);
         assert_eq!(visits.nodes[2].step, Some(5));
     }

@@ -57,10 +57,7 @@ pub(in crate::figure) fn around<const N: usize>(
     match Volume::around(scene, number, kind, set) {
         Volume::Sphere(sphere) => Outline::of(&Shape::Sphere(sphere), projection),
         Volume::Ellipsoid(egg) => Outline::of_ellipsoid(&egg, projection),
-        Volume::Box(bound) => {
-            let [min, max] = [bound.d_max, bound.d_min].map(|d| -DVec3::from(d));
-            Outline::of_box(min, max, projection)
-        }
+        Volume::Box(bound) => Outline::of_box(&bound.as_box(), projection),
         Volume::Slabs(bound) => {
             let seen = corners(&bound, set).into_iter().map(|p| projection.of(p));
             Outline {

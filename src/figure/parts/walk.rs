@@ -151,7 +151,7 @@ pub(in crate::figure) fn axes(across: Across) -> &'static [usize] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::geometry::{Fate, QuadraticTest, Root, Roots};
+    use crate::geometry::{QuadraticTest, Root, RootVerdict, Roots};
     use crate::trace::{CellVisit, GridExit};
 
     fn records(events: &[Event]) -> Vec<Record> {
@@ -190,7 +190,7 @@ mod tests {
     fn sphere(object: u32, met: bool) -> Event {
         let root = Root {
             t: 3.0,
-            fate: Fate::Chosen,
+            verdict: RootVerdict::Chosen,
         };
         let test = QuadraticTest {
             roots: if met { Roots::Graze(root) } else { Roots::None },

@@ -2,6 +2,8 @@
 
 use glam::DVec2;
 
+use crate::geometry::{Inside, SlabInterval, clip_to_rectangle};
+
 /// A rectangle: its upper left and its lower right corner.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(in crate::figure) struct Frame {
@@ -98,46 +100,30 @@ impl Frame {
         [top, bottom]
     }
 
-    /// The part of a straight line that lies in it, after Liang and Barsky: four half-planes, each of which may
-    /// raise the line's beginning or lower its end.
-    pub(in crate::figure) fn cut_line(self, [from, to]: [DVec2; 2]) -> Option<[DVec2; 2]> {
-        let along = to - from;
-        let (mut first, mut last) = (0.0_f64, 1.0_f64);
-        for axis in 0..2 {
-            if along[axis] == 0.0 {
-                if from[axis] < self.min[axis] || self.max[axis] < from[axis] {
-                    return None;
-                }
-                continue;
-            }
-            let [a, b] = [self.min[axis], self.max[axis]].map(|of| (of - from[axis]) / along[axis]);
-            first = first.max(a.min(b));
-            last = last.min(a.max(b));
-        }
-        (first <= last).then(|| [from + first * along, from + last * along])
+    /// Which part of `of` a point is in it that moves along a straight line, by `along` while t grows by 1? After Liang and
+    /// Barsky: the two strips of the sheet that make the frame are slabs.
+    pub(in crate::figure) fn inside(self, from: DVec2, along: DVec2, of: Inside) -> Inside {
+        let strip = |axis: usize| {
+            let ends = [self.min[axis], self.max[axis]];
+            SlabInterval::across_axis(from[axis], along[axis], ends)
+        };
+        of.and(strip(0)).and(strip(1))
     }
 
-    /// The part of a polygon that lies in it, after Sutherland and Hodgman: cut at one side after the other.
+    /// The part of a straight line that lies in it.
+    pub(in crate::figure) fn cut_line(self, [from, to]: [DVec2; 2]) -> Option<[DVec2; 2]> {
+        let along = to - from;
+        let whole = Inside {
+            near: 0.0,
+            far: 1.0,
+        };
+        let ends = self.inside(from, along, whole).ends()?;
+        Some(ends.map(|t| from + t * along))
+    }
+
+    /// The part of a polygon that lies in it.
     pub(in crate::figure) fn cut_polygon(self, points: &[DVec2]) -> Vec<DVec2> {
-        let mut rest = points.to_vec();
-        for axis in 0..2 {
-            for (bound, sign) in [(self.min[axis], 1.0), (self.max[axis], -1.0)] {
-                let inside = |p: DVec2| sign * (p[axis] - bound);
-                let mut kept = Vec::with_capacity(rest.len() + 2);
-                for (i, &p) in rest.iter().enumerate() {
-                    let before = rest[(i + rest.len() - 1) % rest.len()];
-                    let (a, b) = (inside(before), inside(p));
-                    if (0.0 <= a) != (0.0 <= b) {
-                        kept.push(before + a / (a - b) * (p - before));
-                    }
-                    if 0.0 <= b {
-                        kept.push(p);
-                    }
-                }
-                rest = kept;
-            }
-        }
-        rest
+        clip_to_rectangle(points, self.min, self.max)
     }
 }
 

@@ -11,13 +11,13 @@ use crate::geometry::{
 struct Corner {
     at: DVec2,
     /// How far it may lie from where the exact transformation puts it.
-    blur: f64,
+    tolerance: f64,
 }
 
 /// Of a vertex' distance from the origin, the sum of its coordinates: p − o, three products and two sums
 /// round, the rows are at right angles within some roundings, and so is the second point by which the exact
 /// predicates are told the ray.
-const BLUR: f64 = 16.0 * f64::EPSILON;
+const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
 impl Polygon {
     /// Where does the z axis meet the transformed plane?
@@ -112,7 +112,7 @@ impl Polygon {
         let from_origin = self.vertex(vertex) - ray.frame.origin;
         Corner {
             at: ray.frame.vector(from_origin).truncate(),
-            blur: BLUR * from_origin.abs().element_sum(),
+            tolerance: ROUNDING * from_origin.abs().element_sum(),
         }
     }
 
@@ -136,18 +136,18 @@ impl Polygon {
 /// Does the edge cross the half-line from (0, 0) along x? `None` if (0, 0) is within the rounding of the edge.
 #[inline]
 fn edge_past_origin(index: usize, from: Corner, to: Corner) -> Option<EdgeTest> {
-    let blur = from.blur.max(to.blur);
+    let tolerance = from.tolerance.max(to.tolerance);
     let (from, to) = (from.at, to.at);
     let straddles = (0.0 < from.y) != (0.0 < to.y);
     // twice the area of (from, to, 0); over the rise of the edge it is how far to the right it passes
     let side = from.x * to.y - from.y * to.x;
 
-    let (low, high) = (from.min(to) - blur, from.max(to) + blur);
+    let (low, high) = (from.min(to) - tolerance, from.max(to) + tolerance);
     let near = low.x <= 0.0 && 0.0 <= high.x && low.y <= 0.0 && 0.0 <= high.y;
     if near {
         let along = (to - from).abs().element_sum();
         let rounding = 4.0 * f64::EPSILON * ((from.x * to.y).abs() + (from.y * to.x).abs());
-        if side.abs() <= blur * along + rounding {
+        if side.abs() <= tolerance * along + rounding {
             return None;
         }
     }
@@ -227,10 +227,10 @@ mod tests {
 
     #[test]
     fn within_the_blur_of_an_edge_the_ray_decides() {
-        let is_near = |from: [f64; 2], to: [f64; 2], blur: f64| {
+        let is_near = |from: [f64; 2], to: [f64; 2], tolerance: f64| {
             let corner = |at: [f64; 2]| Corner {
                 at: at.into(),
-                blur,
+                tolerance,
             };
             edge_past_origin(0, corner(from), corner(to)).is_none()
         };
@@ -250,7 +250,7 @@ mod tests {
         ] {
             assert_eq!(is_near(from, to, 0.25), near, "{from:?} {to:?}");
         }
-        // without blur: an end in the origin, and then 4ε(|x₁y₂| + |y₁x₂|) = 4ε·6·10⁵ = 5.3·10⁻¹⁰ against
+        // without tolerance: an end in the origin, and then 4ε(|x₁y₂| + |y₁x₂|) = 4ε·6·10⁵ = 5.3·10⁻¹⁰ against
         // (−300 + d)·200 + 100·600, which is 200d
         assert!(is_near([0.0, 0.0], [6.0, 1.0], 0.0));
         let slanted = |d: f64| is_near([-300.0 + d, -100.0], [600.0, 200.0], 0.0);
@@ -265,25 +265,25 @@ mod tests {
         let ray = AlignedRay::new(&Ray::new(DVec3::new(1.0, 2.0, 0.0), DVec3::Z));
         let corner = u_shape().corner(2, &ray);
         assert_eq!(corner.at, DVec2::new(5.0, 4.0));
-        assert_eq!(corner.blur, 224.0 * f64::EPSILON);
+        assert_eq!(corner.tolerance, 224.0 * f64::EPSILON);
         // (0, 0, 5): 16·(1 + 2 + 5)
-        assert_eq!(u_shape().corner(0, &ray).blur, 128.0 * f64::EPSILON);
+        assert_eq!(u_shape().corner(0, &ray).tolerance, 128.0 * f64::EPSILON);
     }
 
     #[test]
     fn an_edge_is_as_uncertain_as_its_worse_end_and_alike_from_both() {
         let is_near = |(from, from_blur): ([f64; 2], f64), (to, to_blur): ([f64; 2], f64)| {
-            let corner = |at: [f64; 2], blur| Corner {
+            let corner = |at: [f64; 2], tolerance| Corner {
                 at: at.into(),
-                blur,
+                tolerance,
             };
             edge_past_origin(0, corner(from, from_blur), corner(to, to_blur)).is_none()
         };
-        // ¼ above the origin, between ends that are blurred by nothing and by a little more or less than that
-        for (blur, near) in [(0.26, true), (0.24, false)] {
-            let (clear, blurred) = (([-3.0, 0.25], 0.0), ([3.0, 0.25], blur));
-            assert_eq!(is_near(clear, blurred), near, "{blur}");
-            assert_eq!(is_near(blurred, clear), near, "{blur}");
+        // ¼ above the origin, between ends that are uncertain by nothing and by a little more or less than that
+        for (tolerance, near) in [(0.26, true), (0.24, false)] {
+            let (clear, uncertain) = (([-3.0, 0.25], 0.0), ([3.0, 0.25], tolerance));
+            assert_eq!(is_near(clear, uncertain), near, "{tolerance}");
+            assert_eq!(is_near(uncertain, clear), near, "{tolerance}");
         }
         // within its extent but far from its line, on either side of it
         for y in [-200.0, 200.0] {

@@ -8,7 +8,7 @@ use crate::geometry::Ray;
 use crate::strategy::fast::Fast;
 use crate::strategy::fast::leaf_order::LeafOrder;
 use crate::strategy::fast::slabs::BothPlanes;
-use crate::strategy::fast::stack::Waiting;
+use crate::strategy::fast::stack::turn_of;
 use crate::strategy::{HeapOrdered, Search};
 use crate::structure::{Link, range};
 
@@ -29,7 +29,7 @@ impl<const N: usize> Fast for HeapOrdered<'_, N> {
         let slabs = BothPlanes::new(ray, hierarchy.set(), hierarchy.room(ray));
         let mut heap = BinaryHeap::new();
         let root = hierarchy.nodes().first();
-        let root = root.and_then(|root| Waiting::met(0, &root.bound, &slabs, search.range()));
+        let root = root.and_then(|root| turn_of(0, &root.bound, &slabs, search.range()));
         heap.extend(root.map(Reverse));
         while let Some(Reverse(next)) = heap.pop() {
             if search.range().max < next.near {
@@ -42,7 +42,7 @@ impl<const N: usize> Fast for HeapOrdered<'_, N> {
                 Link::Children { first, count } => {
                     let children = &hierarchy.nodes()[range(first, count)];
                     for (child, of) in (first..).zip(children) {
-                        let met = Waiting::met(child, &of.bound, &slabs, search.range());
+                        let met = turn_of(child, &of.bound, &slabs, search.range());
                         if let Some(met) = met {
                             heap.push(Reverse(met));
                         }

@@ -6,7 +6,7 @@ use crate::geometry::Ray;
 use crate::strategy::fast::Fast;
 use crate::strategy::fast::leaf_order::LeafOrder;
 use crate::strategy::fast::slabs::BothPlanes;
-use crate::strategy::fast::stack::{Stack, Waiting};
+use crate::strategy::fast::stack::{Stack, turn_of};
 use crate::strategy::{DepthFirst, Search};
 use crate::structure::{Link, range};
 
@@ -28,7 +28,7 @@ impl<const N: usize> Fast for DepthFirst<'_, N> {
         let slabs = BothPlanes::new(ray, hierarchy.set(), hierarchy.room(ray));
         let mut waiting = Stack::new();
         let root = hierarchy.nodes().first();
-        let mut next = root.and_then(|root| Waiting::met(0, &root.bound, &slabs, search.range()));
+        let mut next = root.and_then(|root| turn_of(0, &root.bound, &slabs, search.range()));
         while let Some(node) = next {
             next = None;
             match hierarchy.nodes()[node.node as usize].link {
@@ -38,7 +38,7 @@ impl<const N: usize> Fast for DepthFirst<'_, N> {
                 Link::Children { first, count } => {
                     let children = &hierarchy.nodes()[range(first, count)];
                     for (child, of) in (first..).zip(children) {
-                        let met = Waiting::met(child, &of.bound, &slabs, search.range());
+                        let met = turn_of(child, &of.bound, &slabs, search.range());
                         // the nearest child is next, the others wait
                         if let Some(met) = met {
                             match next {

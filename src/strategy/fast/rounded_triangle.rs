@@ -8,8 +8,8 @@
 //! vertices were moved, √2 times the largest change of a coordinate at most. As the vertices move back, straight
 //! and all at once, no edge passes p′, so p′ is inside the outline if it is inside the rounded one. Let p′ be
 //! further by 512 times the error that [`Polygon::contains`] states for an upright ray; that is 8 times its
-//! blur, since the blur of a ray that is not flat is stretched by 64. The polygon leaves to the ray what is within 4½
-//! blurs of an edge: 3√2 across it, and √2 beyond its end. So here p′ decides, and rightly.
+//! tolerance, since the tolerance of a ray that is not flat is stretched by 64. The polygon leaves to the ray what is
+//! within 4½ tolerances of an edge: 3√2 across it, and √2 beyond its end. So here p′ decides, and rightly.
 
 use glam::{DVec2, DVec3, Vec2};
 
@@ -27,7 +27,7 @@ pub(super) struct RoundedTriangle {
     plane: Plane,
     outline: [Vec2; 3],
     /// What the rounding and the vertices' distance from the plane add to how far p′ must be from an edge.
-    slack: f32,
+    tolerance: f32,
     dropped: Axis,
     sides: Sides,
 }
@@ -54,7 +54,7 @@ impl RoundedTriangle {
             d: 0.0,
         },
         outline: [Vec2::ZERO; 3],
-        slack: f32::INFINITY,
+        tolerance: f32::INFINITY,
         dropped: Axis::X,
         sides: Sides::Both,
     };
@@ -66,11 +66,11 @@ impl RoundedTriangle {
         let moved = |(p, rounded): (&DVec2, &Vec2)| (*p - rounded.as_dvec2()).abs().max_element();
         // beyond the largest number of 32 bits it is infinite: then nothing is clear of an edge
         let moved = outline.iter().zip(&rounded).map(moved).fold(0.0, f64::max);
-        let slack = CLEAR * polygon.off_plane() + 2.0 * moved;
+        let tolerance = CLEAR * polygon.off_plane() + 2.0 * moved;
         Some(Self {
             plane: polygon.plane(),
             outline: rounded,
-            slack: (slack as f32).next_up(),
+            tolerance: (tolerance as f32).next_up(),
             dropped: polygon.dropped(),
             sides,
         })
@@ -91,8 +91,8 @@ impl RoundedTriangle {
         let projected = self.dropped.drop_from(ray.at(t));
         let spread = ray.direction.abs().element_sum();
         let reach = ray.origin.abs().element_sum() + t * spread + self.plane.d.abs();
-        let margin = CLEAR * OUTLINE_ROUNDING * reach + f64::from(self.slack);
-        match clear_crossings(&self.outline.map(Vec2::as_dvec2), projected, margin) {
+        let tolerance = CLEAR * OUTLINE_ROUNDING * reach + f64::from(self.tolerance);
+        match clear_crossings(&self.outline.map(Vec2::as_dvec2), projected, tolerance) {
             Some(crossings) if crossings % 2 == 1 => RoundedTest::Hit(t),
             Some(_) => RoundedTest::Missed,
             None => RoundedTest::Unsettled,

@@ -1,11 +1,11 @@
 //! Bounds of slabs against a ray, with the two planes of a slab side by side.
 //!
 //! Near and far are the smaller and the larger of both t, and so the test has neither a branch nor an index that
-//! depends on the ray's direction. [`SlabBound::steps`] says the same slab by slab.
+//! depends on the ray's direction. [`SlabBound::steps`] and [`Inside::and`] say the same slab by slab; this one stands apart
+//! for speed.
 
-use crate::geometry::{PARALLEL, Ray};
-use crate::structure::extremes::{larger, smaller};
-use crate::structure::{Inside, SlabBound, SlabSet};
+use crate::geometry::{Inside, PARALLEL, Ray, larger, smaller};
+use crate::structure::{SlabBound, SlabSet};
 
 /// S and T of a ray for each direction of a set, S with its room for either plane.
 #[derive(Clone, Copy, Debug)]

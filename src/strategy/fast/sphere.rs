@@ -1,15 +1,15 @@
 //! The sphere without its working: where it is hit, and whether a few products settle that it is not.
 
 use crate::geometry::{
-    DISCRIMINANT_CANCELS, Fate, Quadratic, Ray, RealRoots, Sides, Sphere, TRange, fate_of,
-    hidden_side,
+    DISCRIMINANT_CANCELS, Quadratic, Ray, RealRoots, RootVerdict, Sides, Sphere, TRange,
+    hidden_side, verdict_of,
 };
 
 /// The hit distance that [`Sphere::test`] chooses: the same real roots, without a verdict on those that are not the hit.
 #[inline]
 pub(super) fn hit(sphere: &Sphere, ray: &Ray, range: TRange, sides: Sides) -> Option<f64> {
     let is_hit = |t: f64, entering| {
-        fate_of(t, range) == Fate::Chosen && hidden_side(entering, sides).is_none()
+        verdict_of(t, range) == RootVerdict::Chosen && hidden_side(entering, sides).is_none()
     };
     match Quadratic::of_sphere(ray, sphere.center, sphere.radius).real_roots() {
         RealRoots::None => None,

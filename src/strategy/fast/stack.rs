@@ -1,55 +1,22 @@
 //! The nodes that wait for their turn, without memory of their own as long as they are few.
 
-use std::cmp::Ordering;
-
 use crate::geometry::TRange;
 use crate::strategy::fast::slabs::BothPlanes;
+use crate::strategy::turn::Turn;
 use crate::structure::SlabBound;
 
-/// A node that waits to be entered.
-#[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Waiting {
-    /// Where the ray enters its bound.
-    pub(super) near: f64,
-    pub(super) node: u32,
+/// The turn of a node, if the ray meets its bound where a hit still counts.
+#[inline]
+pub(super) fn turn_of<const N: usize>(
+    node: u32,
+    bound: &SlabBound<N>,
+    ray: &BothPlanes<N>,
+    range: TRange,
+) -> Option<Turn> {
+    let inside = ray.inside(bound);
+    let near = inside.begins(range);
+    inside.meets(range).then_some(Turn { near, node })
 }
-
-impl Waiting {
-    /// A node, if the ray meets its bound where a hit still counts.
-    #[inline]
-    pub(super) fn met<const N: usize>(
-        node: u32,
-        bound: &SlabBound<N>,
-        ray: &BothPlanes<N>,
-        range: TRange,
-    ) -> Option<Self> {
-        let inside = ray.inside(bound);
-        let near = inside.begins(range);
-        inside.meets(range).then_some(Self { near, node })
-    }
-}
-
-/// By the estimated distance; of equals by the number of the node, so that the order is always the same.
-impl Ord for Waiting {
-    fn cmp(&self, other: &Self) -> Ordering {
-        let by_distance = self.near.total_cmp(&other.near);
-        by_distance.then(self.node.cmp(&other.node))
-    }
-}
-
-impl PartialOrd for Waiting {
-    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
-        Some(self.cmp(other))
-    }
-}
-
-impl PartialEq for Waiting {
-    fn eq(&self, other: &Self) -> bool {
-        self.cmp(other) == Ordering::Equal
-    }
-}
-
-impl Eq for Waiting {}
 
 /// How many nodes wait without memory of their own: of the twenty levels of a tree of a million objects, not
 /// every one leaves a node waiting, and places are cleared anew for each ray.
@@ -58,11 +25,11 @@ const FEW: usize = 12;
 /// A stack of nodes, the next one on top.
 #[derive(Debug)]
 pub(super) struct Stack {
-    few: [Waiting; FEW],
+    few: [Turn; FEW],
     /// How many of the few wait.
     len: usize,
     /// What does not fit, in trees of uncommon depth.
-    more: Vec<Waiting>,
+    more: Vec<Turn>,
 }
 
 impl Stack {
@@ -70,7 +37,7 @@ impl Stack {
     #[inline]
     pub(super) fn new() -> Self {
         Self {
-            few: [Waiting::default(); FEW],
+            few: [Turn::default(); FEW],
             len: 0,
             more: Vec::new(),
         }
@@ -78,19 +45,19 @@ impl Stack {
 
     /// Puts a node on top.
     #[inline]
-    pub(super) fn push(&mut self, waiting: Waiting) {
+    pub(super) fn push(&mut self, turn: Turn) {
         match self.few.get_mut(self.len) {
             Some(place) => {
-                *place = waiting;
+                *place = turn;
                 self.len += 1;
             }
-            None => self.more.push(waiting),
+            None => self.more.push(turn),
         }
     }
 
     /// Takes the node on top.
     #[inline]
-    pub(super) fn pop(&mut self) -> Option<Waiting> {
+    pub(super) fn pop(&mut self) -> Option<Turn> {
         if self.len == FEW
             && let Some(last) = self.more.pop()
         {
@@ -111,7 +78,7 @@ mod tests {
 
     #[test]
     fn the_last_node_comes_first_however_many_wait() {
-        let waiting = |node| Waiting {
+        let waiting = |node| Turn {
             near: f64::from(node),
             node,
         };
@@ -133,16 +100,6 @@ mod tests {
     }
 
     #[test]
-    fn the_nearer_node_comes_first_and_of_equals_the_one_with_the_lower_number() {
-        let waiting = |near, node| Waiting { near, node };
-        assert_eq!(waiting(1.0, 9).cmp(&waiting(2.0, 3)), Ordering::Less);
-        assert_eq!(waiting(2.0, 3).cmp(&waiting(2.0, 9)), Ordering::Less);
-        assert!(waiting(2.0, 3) == waiting(2.0, 3));
-        assert!(waiting(2.0, 3) != waiting(2.0, 4));
-        assert!(waiting(3.0, 3) > waiting(2.0, 4));
-    }
-
-    #[test]
     fn a_node_waits_from_where_the_ray_enters_its_bound_if_that_is_in_the_range() {
         // x from 2 to 5, y and z from −1 to 1
         let bound = SlabBound {
@@ -151,7 +108,7 @@ mod tests {
         };
         let ray = Ray::new(DVec3::ZERO, DVec3::X);
         let planes = BothPlanes::new(&ray, &SlabSet::AXES, 0.0);
-        let met = |min, max| Waiting::met(7, &bound, &planes, TRange { min, max });
+        let met = |min, max| turn_of(7, &bound, &planes, TRange { min, max });
         let near = |min, max| met(min, max).map(|waiting| waiting.near);
         assert_eq!(met(0.0, 9.0).map(|waiting| waiting.node), Some(7));
         assert_eq!(near(0.0, 9.0), Some(2.0));

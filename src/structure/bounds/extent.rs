@@ -2,9 +2,10 @@
 
 use glam::DVec3;
 
+use crate::geometry::AxisBox;
 use crate::scene::Shape;
 
-/// The room that a widened extent has on either side, as a share of the shape's own coordinates.
+/// The room that a shape is given on either side for rounding, as a share of its own coordinates.
 ///
 /// A computed hit lies off the exact surface by some 10⁻¹⁵ of the numbers that it was computed from, a
 /// hundredfold where the ray meets the surface flatly. With 10⁻¹⁰ no bound cuts a hit off.
@@ -54,49 +55,42 @@ pub fn extent(shape: &Shape, n: DVec3) -> [f64; 2] {
 pub(in crate::structure) fn thickness(shape: &Shape) -> f64 {
     match shape {
         // what is less belongs to the room for rounding, of which it is a small part
-        Shape::Polygon(polygon) if ROUNDING * shape.reach() < polygon.play() => polygon.play(),
+        Shape::Polygon(polygon) if ROUNDING * shape.reach() < polygon.room() => polygon.room(),
         _ => 0.0,
     }
 }
 
-/// [`extent`] with room for rounding: 10⁻¹⁰ of the shape's coordinates, and a polygon's play.
-pub(in crate::structure) fn widened_extent(shape: &Shape, n: DVec3) -> [f64; 2] {
-    let play = match shape {
-        Shape::Polygon(polygon) => polygon.play() - thickness(shape),
-        _ => 0.0,
-    };
-    let [smallest, largest] = extent(shape, n);
-    let rounding = ROUNDING * shape.reach();
-    [smallest - play - rounding, largest + play + rounding]
-}
-
-/// [`box_around`] with the room of [`widened_extent`].
-pub(in crate::structure) fn widened_box(shape: &Shape) -> [DVec3; 2] {
-    let play = match shape {
-        Shape::Polygon(polygon) => polygon.play() - thickness(shape),
-        _ => 0.0,
-    };
-    let [smallest, largest] = box_around(shape);
-    let rounding = ROUNDING * shape.reach();
-    [smallest - play - rounding, largest + play + rounding]
-}
-
-/// [`extent`] along x, y and z at one go: the smallest and the largest corner of the box around a shape.
-pub(in crate::structure) fn box_around(shape: &Shape) -> [DVec3; 2] {
+/// The box around a shape: [`extent`] along x, y and z at one go.
+pub(in crate::structure) fn box_around(shape: &Shape) -> AxisBox {
     match shape {
-        Shape::Sphere(sphere) => [sphere.center - sphere.radius, sphere.center + sphere.radius],
-        Shape::Polygon(polygon) => {
-            let (low, high) = polygon.vertices().fold(
-                (DVec3::INFINITY, DVec3::NEG_INFINITY),
-                |(low, high), vertex| (low.min(vertex), high.max(vertex)),
-            );
-            let thickness = thickness(shape);
-            [low - thickness, high + thickness]
-        }
-        Shape::Ellipsoid(_) | Shape::Box(_) | Shape::Cone(_) => {
+        Shape::Sphere(sphere) => AxisBox {
+            min: sphere.center - sphere.radius,
+            max: sphere.center + sphere.radius,
+        },
+        Shape::Box(solid) => *solid,
+        Shape::Polygon(polygon) => AxisBox::around(polygon.vertices()).with_room(thickness(shape)),
+        Shape::Ellipsoid(_) | Shape::Cone(_) => {
             let [x, y, z] = DVec3::AXES.map(|axis| extent(shape, axis));
-            [0, 1].map(|end| DVec3::new(x[end], y[end], z[end]))
+            AxisBox {
+                min: DVec3::new(x[0], y[0], z[0]),
+                max: DVec3::new(x[1], y[1], z[1]),
+            }
         }
+    }
+}
+
+/// [`box_around`] with room for rounding: 10⁻¹⁰ of the shape's coordinates, and for a polygon as much as its hits may lie
+/// off its vertices.
+pub(in crate::structure) fn box_with_room(shape: &Shape) -> AxisBox {
+    let off_plane = match shape {
+        Shape::Polygon(polygon) => polygon.room() - thickness(shape),
+        _ => 0.0,
+    };
+    let AxisBox { min, max } = box_around(shape);
+    let rounding = ROUNDING * shape.reach();
+    AxisBox {
+        min: min - off_plane - rounding,
+        max: max + off_plane + rounding,
     }
 }
 
@@ -111,7 +105,7 @@ fn union(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::geometry::{AxisBox, Cone, Ellipsoid, Polygon, Sphere};
+    use crate::geometry::{Cone, Ellipsoid, Polygon, Sphere};
 
     #[track_caller]
     fn check(shape: &Shape, n: [f64; 3], expected: [f64; 2]) {
@@ -124,10 +118,13 @@ mod tests {
                 "{found}, expected {expected}"
             );
         }
-        let wider = widened_extent(shape, DVec3::from(n));
-        assert!(wider[0] < expected[0] && expected[1] < wider[1]);
-        for (wider, expected) in wider.into_iter().zip(expected) {
-            assert!(off(wider, expected) <= 1e-8, "{wider}, expected {expected}");
+        let (bare, wider) = (box_around(shape), box_with_room(shape));
+        for (axis, along) in DVec3::AXES.into_iter().enumerate() {
+            assert_eq!(bare.along(axis), extent(shape, along));
+            let [low, high] = bare.along(axis);
+            let [below, above] = wider.along(axis);
+            assert!(below < low && high < above);
+            assert!(off(below, low) <= 1e-8 && off(above, high) <= 1e-8);
         }
     }
 
@@ -210,8 +207,11 @@ mod tests {
     const TWICE_ROUNDED: f64 = 4e-15;
 
     #[track_caller]
-    fn check_box(found: [DVec3; 2], expected: [[f64; 3]; 2]) {
-        for (found, expected) in found.into_iter().zip(expected.map(DVec3::from)) {
+    fn check_box(found: AxisBox, expected: [[f64; 3]; 2]) {
+        for (found, expected) in [found.min, found.max]
+            .into_iter()
+            .zip(expected.map(DVec3::from))
+        {
             let off = (found - expected).abs().max_element();
             assert!(off <= TWICE_ROUNDED, "{found}, expected {expected}");
         }
@@ -262,38 +262,38 @@ mod tests {
         });
         let room = 1.2e-9;
         check_box(
-            widened_box(&sphere),
+            box_with_room(&sphere),
             [
                 [3.0 - room, 8.0 - room, -1.0 - room],
                 [7.0 + room, 12.0 + room, 3.0 + room],
             ],
         );
-        let [low, high] = widened_extent(&sphere, DVec3::Y);
+        let [low, high] = box_with_room(&sphere).along(1);
         assert!((low - (8.0 - room)).abs() <= TWICE_ROUNDED, "{low}");
         assert!((high - (12.0 + room)).abs() <= TWICE_ROUNDED, "{high}");
     }
 
     #[test]
-    fn a_polygon_s_room_is_its_play_and_a_ten_billionth_of_its_coordinates() {
-        // in z = 3 exactly: play is 64 times the rounding of the distances of its vertices, 8ε·(5 + 2 + 3)
+    fn a_polygon_s_room_is_for_its_bend_and_a_ten_billionth_of_its_coordinates() {
+        // in z = 3 exactly: the room for a bend is 64 times the rounding of the distances of its vertices, 8ε·(5 + 2 + 3)
         let corners = [[1.0, 1.0, 3.0], [5.0, 1.0, 3.0], [5.0, 2.0, 3.0]].map(DVec3::from);
         let flat = Shape::Polygon(Polygon::new(corners.to_vec(), None).unwrap());
         assert_eq!(thickness(&flat), 0.0);
         let room = 64.0 * 80.0 * f64::EPSILON + 5e-10;
         check_box(
-            widened_box(&flat),
+            box_with_room(&flat),
             [
                 [1.0 - room, 1.0 - room, 3.0 - room],
                 [5.0 + room, 2.0 + room, 3.0 + room],
             ],
         );
-        let [low, high] = widened_extent(&flat, DVec3::Z);
+        let [low, high] = box_with_room(&flat).along(2);
         assert!((low - (3.0 - room)).abs() <= TWICE_ROUNDED, "{low}");
         assert!((high - (3.0 + room)).abs() <= TWICE_ROUNDED, "{high}");
     }
 
     #[test]
-    fn a_bent_polygon_s_thickness_is_its_play_and_counts_once() {
+    fn a_bent_polygon_s_thickness_is_its_room_and_counts_once() {
         let corners = [
             [1.0, 1.0, 1.0],
             [2.0, 1.0, 1.0],
@@ -301,28 +301,28 @@ mod tests {
             [1.0, 2.0, 1.0],
         ];
         let bent = Polygon::new(corners.map(DVec3::from).to_vec(), None).unwrap();
-        let play = bent.play();
+        let thick = bent.room();
         let bent = Shape::Polygon(bent);
-        assert!((play - 64e-6).abs() <= 1e-11, "{play}");
-        assert_eq!(thickness(&bent), play);
+        assert!((thick - 64e-6).abs() <= 1e-11, "{thick}");
+        assert_eq!(thickness(&bent), thick);
         let top = 1.0 + 4e-6;
         check_box(
             box_around(&bent),
             [
-                [1.0 - play, 1.0 - play, 1.0 - play],
-                [2.0 + play, 2.0 + play, top + play],
+                [1.0 - thick, 1.0 - thick, 1.0 - thick],
+                [2.0 + thick, 2.0 + thick, top + thick],
             ],
         );
         // and 10⁻¹⁰ of 2
-        let room = play + 2e-10;
+        let room = thick + 2e-10;
         check_box(
-            widened_box(&bent),
+            box_with_room(&bent),
             [
                 [1.0 - room, 1.0 - room, 1.0 - room],
                 [2.0 + room, 2.0 + room, top + room],
             ],
         );
-        let [low, high] = widened_extent(&bent, DVec3::Z);
+        let [low, high] = box_with_room(&bent).along(2);
         assert!((low - (1.0 - room)).abs() <= TWICE_ROUNDED, "{low}");
         assert!((high - (top + room)).abs() <= TWICE_ROUNDED, "{high}");
     }

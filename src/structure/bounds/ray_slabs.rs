@@ -20,6 +20,11 @@ impl<const N: usize> RaySlabs<N> {
         }
     }
 
+    /// S and T for each direction of the set that it was made for, and beyond those for directions of zero.
+    pub fn lines(&self) -> &[SlabRay; N] {
+        &self.lines
+    }
+
     /// By how much either plane of a slab is moved outwards: a length.
     pub fn room(&self) -> f64 {
         self.room

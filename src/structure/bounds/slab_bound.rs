@@ -10,10 +10,12 @@
 //! So every slab is tested a little wider than it is: either plane is moved outwards by the [`room`](crate::structure::room) of the ray. A
 //! bound is kept as the objects have it, without room.
 
+use glam::DVec3;
+
+use crate::geometry::{AxisBox, Inside, larger, smaller};
 use crate::scene::Shape;
 use crate::structure::bounds::extent::box_around;
-use crate::structure::bounds::extremes::{larger, smaller};
-use crate::structure::{Inside, RaySlabs, SlabSet, SlabStep, extent};
+use crate::structure::{RaySlabs, SlabSet, SlabStep, extent};
 
 /// D_min and D_max of each slab. A, B and C are those of the structure's [`SlabSet`].
 #[doc(alias = "k-DOP")]
@@ -45,11 +47,11 @@ impl<const N: usize> SlabBound<N> {
         };
         let mut first = 0;
         if set.begins_with_axes() {
-            let [smallest, largest] = box_around(shape);
+            let around = box_around(shape);
             first = BOX;
             for slab in 0..BOX {
-                bound.d_min[slab] = 0.0 - largest[slab];
-                bound.d_max[slab] = 0.0 - smallest[slab];
+                bound.d_min[slab] = 0.0 - around.max[slab];
+                bound.d_max[slab] = 0.0 - around.min[slab];
             }
         }
         for (slab, &normal) in set.directions().iter().enumerate().skip(first) {
@@ -103,20 +105,27 @@ impl<const N: usize> SlabBound<N> {
             slab: slab as u32,
             d_min: self.d_min[slab],
             d_max: self.d_max[slab],
-            room: ray.room,
             ..SlabStep::default()
         };
-        step.decided(&ray.lines[slab], so_far)
+        step.decided(&ray.lines[slab], ray.room, so_far)
+    }
+}
+
+impl SlabBound<BOX> {
+    /// The box that slabs across x, y and z make: D_max and D_min are minus its smallest and its largest coordinates.
+    pub fn as_box(&self) -> AxisBox {
+        AxisBox {
+            min: -DVec3::from(self.d_max),
+            max: -DVec3::from(self.d_min),
+        }
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use glam::DVec3;
-
     use super::*;
     use crate::geometry::{Ray, SlabRay, Sphere};
-    use crate::structure::SlabOutcome;
+    use crate::structure::SlabVerdict;
 
     /// The unit sphere between the four directions of Fig. 15.58 and one across them.
     fn four_and_one() -> (SlabSet<16>, SlabBound<16>) {
@@ -177,9 +186,9 @@ mod tests {
     #[test]
     fn the_steps_of_a_missed_bound_end_where_near_and_far_cross() {
         let steps = steps([-0.05, 1.95, 0.0], [1.0, -1.0, 0.0], 0.0);
-        let outcomes: Vec<_> = steps.iter().map(|step| step.outcome).collect();
-        use SlabOutcome::{GoesOn, ParallelOutside};
-        assert_eq!(outcomes, [GoesOn, GoesOn, ParallelOutside]);
+        let verdicts: Vec<_> = steps.iter().map(|step| step.verdict).collect();
+        use SlabVerdict::{GoesOn, ParallelOutside};
+        assert_eq!(verdicts, [GoesOn, GoesOn, ParallelOutside]);
         // x: −1 − (−0.05) = −0.95 … 1.05; y: 1.95 − 1 = 0.95 … 2.95
         assert!((steps[1].max_near - 0.95).abs() <= 1e-15);
         assert!((steps[1].min_far - 1.05).abs() <= 1e-15);
@@ -191,13 +200,13 @@ mod tests {
         let steps = steps([-3.0, 1.1, 0.0], [1.0, 0.0, 0.0], 0.25);
         let [x, y] = [steps[0], steps[1]];
         assert_eq!((x.max_near, x.min_far), (1.75, 4.25));
-        assert_eq!(y.outcome, SlabOutcome::ParallelInside);
+        assert_eq!(y.verdict, SlabVerdict::ParallelInside);
         let ray = Ray::new(DVec3::new(-3.0, 1.1, 0.0), DVec3::X);
         let lines = [DVec3::X, DVec3::Y].map(|normal| SlabRay::new(&ray, normal));
         let bare_x = x.without_room(&lines[0], None);
         assert_eq!((bare_x.max_near, bare_x.min_far), (2.0, 4.0));
         let bare_y = y.without_room(&lines[1], Some(&bare_x));
-        assert_eq!(bare_y.outcome, SlabOutcome::ParallelOutside);
+        assert_eq!(bare_y.verdict, SlabVerdict::ParallelOutside);
         assert_eq!(bare_y.inside(), None);
     }
 
@@ -215,8 +224,8 @@ mod tests {
     fn a_bound_is_missed_at_the_slab_where_near_passes_far() {
         // x: −1 … 1 at t = −6 … −4; y: at 4 … 6
         let steps = steps([5.0, -5.0, 0.0], [1.0, 1.0, 0.0], 0.0);
-        let outcomes: Vec<_> = steps.iter().map(|step| step.outcome).collect();
-        assert_eq!(outcomes, [SlabOutcome::GoesOn, SlabOutcome::Null]);
+        let verdicts: Vec<_> = steps.iter().map(|step| step.verdict).collect();
+        assert_eq!(verdicts, [SlabVerdict::GoesOn, SlabVerdict::Null]);
         assert_eq!((steps[1].max_near, steps[1].min_far), (4.0, -4.0));
         assert_eq!(steps[1].inside(), None);
     }

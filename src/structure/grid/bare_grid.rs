@@ -5,33 +5,25 @@
 
 use glam::DVec3;
 
-use crate::geometry::Ray;
+use crate::geometry::{AxisBox, Ray};
 use crate::scene::Scene;
-use crate::structure::{CellStep, extent};
+use crate::structure::CellStep;
+use crate::structure::bounds::box_around;
 
 /// The box of the objects, cut into cells.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct BareGrid {
-    pub(crate) min: DVec3,
-    pub(crate) max: DVec3,
+    pub(crate) around: AxisBox,
     resolution: [u32; 3],
 }
 
 impl BareGrid {
     /// Around the objects of a scene; a point without objects.
     pub(crate) fn around(scene: &Scene, resolution: [u32; 3]) -> Self {
-        let (mut min, mut max) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
-        for primitive in &scene.primitives {
-            let [x, y, z] = DVec3::AXES.map(|axis| extent(&primitive.shape, axis));
-            min = min.min(DVec3::new(x[0], y[0], z[0]));
-            max = max.max(DVec3::new(x[1], y[1], z[1]));
-        }
-        if scene.primitives.is_empty() {
-            (min, max) = (DVec3::ZERO, DVec3::ZERO);
-        }
+        let boxes = scene.primitives.iter().map(|of| box_around(&of.shape));
+        let around = boxes.reduce(|a, b| a.union(&b));
         Self {
-            min,
-            max,
+            around: around.unwrap_or(AxisBox::around([DVec3::ZERO])),
             resolution,
         }
     }
@@ -39,26 +31,13 @@ impl BareGrid {
     /// Where a ray meets a plane across an axis: t = (pᵢ − o)/Δ, and pᵢ = min + (max − min)·i/n.
     fn t(&self, ray: &Ray, axis: usize, plane: u32) -> f64 {
         let share = f64::from(plane) / f64::from(self.resolution[axis]);
-        let (min, max) = (self.min[axis], self.max[axis]);
+        let [min, max] = self.around.along(axis);
         (min + (max - min) * share - ray.origin[axis]) / ray.direction[axis]
     }
 
     /// Where the ray is inside the box; `None` if it passes by.
     pub(crate) fn inside(&self, ray: &Ray) -> Option<[f64; 2]> {
-        let (mut near, mut far) = (f64::NEG_INFINITY, f64::INFINITY);
-        for axis in 0..3 {
-            if ray.direction[axis] == 0.0 {
-                let at = ray.origin[axis];
-                if at < self.min[axis] || self.max[axis] < at {
-                    return None;
-                }
-                continue;
-            }
-            let ends = [0, self.resolution[axis]].map(|plane| self.t(ray, axis, plane));
-            near = near.max(ends[0].min(ends[1]));
-            far = far.min(ends[0].max(ends[1]));
-        }
-        (near <= far && near.is_finite() && far.is_finite()).then_some([near, far])
+        self.around.inside(ray)
     }
 
     /// A step of the walk by these planes, for a ray that counts from `begins` on.
@@ -123,7 +102,8 @@ mod tests {
         assert_eq!(told.collect::<Vec<_>>(), expected);
         assert_eq!(steps[0].next, [1.0, 2.5, f64::INFINITY]);
         // the grid's own planes lie a little further out
-        assert!(grid.min().x < 0.0 && 4.0 < grid.max().x);
+        let AxisBox { min, max } = grid.around();
+        assert!(min.x < 0.0 && 4.0 < max.x);
     }
 
     /// A box from (1, 2, 3) to (5, 4, 9) in 4 × 2 × 3 cells: planes at 1 … 5, at 2, 3, 4 and at 3, 5, 7, 9.
@@ -138,12 +118,13 @@ mod tests {
         use crate::scene::small_scene::{cube_at, scene_of, sphere};
         let scene = scene_of(&[cube_at(3.0), sphere([1.0, 5.0, 2.0], 4.0)]);
         let grid = BareGrid::around(&scene, [1; 3]);
+        let AxisBox { min, max } = grid.around;
         assert_eq!(
-            (grid.min, grid.max),
+            (min, max),
             (DVec3::new(-3.0, 0.0, -2.0), DVec3::new(5.0, 9.0, 6.0))
         );
         let grid = BareGrid::around(&scene_of(&[]), [1; 3]);
-        assert_eq!((grid.min, grid.max), (DVec3::ZERO, DVec3::ZERO));
+        assert_eq!(grid.around, AxisBox::around([DVec3::ZERO]));
     }
 
     #[test]

@@ -1,27 +1,24 @@
 //! Which cells does an object reach into?
 //!
 //! "Solid" is meant: a cell in the middle of a sphere lists it. Every test is on the safe side: it may keep a
-//! cell that the object passes by within the room for rounding, and never leaves out one that the object,
-//! widened by that room, touches.
+//! cell that the object passes by within the room for rounding, and never leaves out one that the object with that
+//! room around it touches.
 
 use glam::DVec3;
 
-use crate::geometry::{Polygon, Sphere};
+use crate::geometry::{AxisBox, Polygon, Sphere, clip};
 use crate::scene::Shape;
 use crate::structure::Lists;
 use crate::structure::bounds::ROUNDING;
 use crate::structure::grid::cell_planes::CellPlanes;
 use crate::structure::grid::cone_overlap::cone_touches;
 
-/// The least and the largest coordinate of a widened object along each axis.
-pub(in crate::structure) type Bounds = [[f64; 2]; 3];
-
 /// Finds the cells of one object after the other.
 #[derive(Debug)]
 pub(in crate::structure) struct CellOverlap<'c> {
     cells: &'c CellPlanes,
     lists: Lists,
-    /// What objects are widened by, besides a share of their own size.
+    /// The room of every object, besides a share of its own size: a length.
     room: f64,
     /// The polygon whose cells are looked for.
     outline: Vec<DVec3>,
@@ -32,7 +29,7 @@ pub(in crate::structure) struct CellOverlap<'c> {
     half: Vec<DVec3>,
 }
 
-/// The cells that a widened object's box touches: the first and the last along each axis.
+/// The cells that the box around an object touches: the first and the last along each axis.
 type Touched = [[u32; 2]; 3];
 
 impl<'c> CellOverlap<'c> {
@@ -48,39 +45,39 @@ impl<'c> CellOverlap<'c> {
         }
     }
 
-    /// Gives `put` the number of each cell that lists the shape, which has these bounds.
+    /// Gives `put` the number of each cell that lists the shape, which has this box around it, room included.
     pub(in crate::structure) fn cells_of(
         &mut self,
         shape: &Shape,
-        bounds: Bounds,
+        around: &AxisBox,
         put: &mut dyn FnMut(usize),
     ) {
-        let touched = self.touched(bounds);
+        let touched = self.touched(around);
         if self.lists == Lists::Boxes || is_one(touched) {
             return self.each(touched, |_| true, put);
         }
-        let pad = self.room + ROUNDING * shape.reach();
+        let room = self.room + ROUNDING * shape.reach();
         match shape {
             Shape::Box(_) => self.each(touched, |_| true, put),
             Shape::Sphere(Sphere { center, radius }) => {
-                self.ellipsoid(*center, DVec3::splat(*radius), pad, touched, put);
+                self.ellipsoid(*center, DVec3::splat(*radius), room, touched, put);
             }
-            Shape::Ellipsoid(of) => self.ellipsoid(of.center, of.radii, pad, touched, put),
+            Shape::Ellipsoid(of) => self.ellipsoid(of.center, of.radii, room, touched, put),
             Shape::Cone(cone) => {
-                let meets = |[min, max]: [DVec3; 2]| cone_touches(cone, min - pad, max + pad);
-                self.each(touched, |cell| meets(self.corners(cell)), put);
+                let meets = |cell| cone_touches(cone, &self.solid(cell).with_room(room));
+                self.each(touched, meets, put);
             }
-            Shape::Polygon(polygon) => self.polygon(polygon, pad + polygon.play(), touched, put),
+            Shape::Polygon(polygon) => self.polygon(polygon, room + polygon.room(), touched, put),
         }
     }
 
-    /// Does the whole of an object with these bounds lie in one cell?
-    pub(in crate::structure) fn is_in_one_cell(&self, bounds: Bounds) -> bool {
-        is_one(self.touched(bounds))
+    /// Does the whole of an object lie in one cell, by the box around it?
+    pub(in crate::structure) fn is_in_one_cell(&self, around: &AxisBox) -> bool {
+        is_one(self.touched(around))
     }
 
-    fn touched(&self, bounds: Bounds) -> Touched {
-        [0, 1, 2].map(|axis| self.cells.touched(axis, bounds[axis]))
+    fn touched(&self, around: &AxisBox) -> Touched {
+        [0, 1, 2].map(|axis| self.cells.touched(axis, around.along(axis)))
     }
 
     fn each(&self, touched: Touched, meets: impl Fn([u32; 3]) -> bool, put: &mut dyn FnMut(usize)) {
@@ -96,24 +93,25 @@ impl<'c> CellOverlap<'c> {
         }
     }
 
-    /// The smallest and the largest corner of a cell.
-    fn corners(&self, cell: [u32; 3]) -> [DVec3; 2] {
+    /// The space of a cell.
+    fn solid(&self, cell: [u32; 3]) -> AxisBox {
         let plane = |axis: usize, by: u32| self.cells.axis(axis)[(cell[axis] + by) as usize];
-        [0, 1].map(|by| DVec3::new(plane(0, by), plane(1, by), plane(2, by)))
+        let [min, max] = [0, 1].map(|by| DVec3::new(plane(0, by), plane(1, by), plane(2, by)));
+        AxisBox { min, max }
     }
 
     /// In the space where the ellipsoid is a sphere of radius 1, how far is the cell's closest point?
     ///
-    /// A widening by `pad` in the world is one by `pad`/r at most in that space, with the smallest r.
+    /// Room in the world is at most room/r in that space, with the smallest r.
     fn ellipsoid(
         &self,
         center: DVec3,
         radii: DVec3,
-        pad: f64,
+        room: f64,
         touched: Touched,
         put: &mut dyn FnMut(usize),
     ) {
-        let radius = 1.0 + pad / radii.min_element();
+        let radius = 1.0 + room / radii.min_element();
         let distance2 = |axis: usize, at: u32| {
             let planes = self.cells.axis(axis);
             let (low, high) = (planes[at as usize], planes[at as usize + 1]);
@@ -143,13 +141,13 @@ impl<'c> CellOverlap<'c> {
     fn polygon(
         &mut self,
         polygon: &Polygon,
-        pad: f64,
+        room: f64,
         [[i, i_last], [j, j_last], _]: Touched,
         put: &mut dyn FnMut(usize),
     ) {
-        let widened = |axis: usize, at: u32| {
+        let with_room = |axis: usize, at: u32| {
             let planes = self.cells.axis(axis);
-            [planes[at as usize] - pad, planes[at as usize + 1] + pad]
+            [planes[at as usize] - room, planes[at as usize + 1] + room]
         };
         self.outline.clear();
         self.outline.extend(polygon.vertices());
@@ -160,20 +158,20 @@ impl<'c> CellOverlap<'c> {
                 half,
                 ..
             } = self;
-            clip(outline, 0, widened(0, i), half, slab);
-            let Some(in_y) = range(&self.slab, 1, pad) else {
+            clip_between(outline, 0, with_room(0, i), half, slab);
+            let Some(in_y) = range(&self.slab, 1, room) else {
                 continue;
             };
             let [j_first, j_end] = self.cells.touched(1, in_y);
             for j in j_first.max(j)..=j_end.min(j_last) {
-                clip(
+                clip_between(
                     &self.slab,
                     1,
-                    widened(1, j),
+                    with_room(1, j),
                     &mut self.half,
                     &mut self.column,
                 );
-                let Some(in_z) = range(&self.column, 2, pad) else {
+                let Some(in_z) = range(&self.column, 2, room) else {
                     continue;
                 };
                 let [k, k_last] = self.cells.touched(2, in_z);
@@ -189,78 +187,45 @@ fn is_one(touched: Touched) -> bool {
     touched.iter().all(|[first, last]| first == last)
 }
 
-/// From the smallest to the largest coordinate of some points, widened; `None` without points.
-fn range(points: &[DVec3], axis: usize, pad: f64) -> Option<[f64; 2]> {
+/// From the smallest to the largest coordinate of some points, with room on either side; `None` without points.
+fn range(points: &[DVec3], axis: usize, room: f64) -> Option<[f64; 2]> {
     let first = points.first()?[axis];
     let (low, high) = points.iter().fold((first, first), |(low, high), point| {
         (low.min(point[axis]), high.max(point[axis]))
     });
-    Some([low - pad, high + pad])
+    Some([low - room, high + room])
 }
 
-/// What is left of an outline between two planes across an axis (I. Sutherland and G. Hodgman 1974).
-///
-/// Parts of a concave outline stay connected by edges in the planes, which adds no more than what lies between
-/// them.
-fn clip(
+/// What is left of an outline between two planes across an axis. Parts of a concave outline stay connected by edges in
+/// the planes, which adds no more than what lies between them.
+fn clip_between(
     outline: &[DVec3],
     axis: usize,
     [low, high]: [f64; 2],
     half: &mut Vec<DVec3>,
     clipped: &mut Vec<DVec3>,
 ) {
-    cut(outline, axis, low, |x| low <= x, half);
-    cut(half, axis, high, |x| x <= high, clipped);
-}
-
-/// What is left of an outline on one side of a plane.
-fn cut(
-    outline: &[DVec3],
-    axis: usize,
-    plane: f64,
-    keeps: impl Fn(f64) -> bool,
-    left: &mut Vec<DVec3>,
-) {
-    left.clear();
-    let Some(&last) = outline.last() else {
-        return;
-    };
-    let mut from = last;
-    for &to in outline {
-        let (kept_from, kept_to) = (keeps(from[axis]), keeps(to[axis]));
-        if kept_from != kept_to {
-            let share = (plane - from[axis]) / (to[axis] - from[axis]);
-            let mut crossing = from + share * (to - from);
-            crossing[axis] = plane;
-            left.push(crossing);
-        }
-        if kept_to {
-            left.push(to);
-        }
-        from = to;
-    }
+    clip(outline, |p| p[axis] - low, half);
+    clip(half, |p| high - p[axis], clipped);
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::scene::small_scene::{polygon, scene_of, sphere};
-    use crate::structure::bounds::widened_extent;
+    use crate::structure::bounds::box_with_room;
 
     const ROOM: f64 = 1e-12;
 
     /// Which of 4 × 4 × 4 cells with sides of 1 list a shape: i, j, k of each.
     fn cells_of(shape: &str, lists: Lists) -> Vec<[u32; 3]> {
-        let cells = CellPlanes::new(DVec3::ZERO, DVec3::splat(4.0), [4; 3]);
+        let cells = CellPlanes::new(&AxisBox::around([DVec3::ZERO, DVec3::splat(4.0)]), [4; 3]);
         let mut overlap = CellOverlap::new(&cells, lists, ROOM);
         let scene = scene_of(&[shape.to_string()]);
         let shape = &scene.primitives[0].shape;
-        let bounds = DVec3::AXES.map(|axis| {
-            let [low, high] = widened_extent(shape, axis);
-            [low - ROOM, high + ROOM]
-        });
+        let around = box_with_room(shape).with_room(ROOM);
         let mut numbers = Vec::new();
-        overlap.cells_of(shape, bounds, &mut |number| numbers.push(number));
+        overlap.cells_of(shape, &around, &mut |number| numbers.push(number));
         numbers.sort_unstable();
         numbers
             .into_iter()
@@ -369,7 +334,7 @@ mod tests {
         ]
         .map(DVec3::from);
         let mut left = Vec::new();
-        cut(&square, 0, 1.0, |x| 1.0 <= x, &mut left);
+        clip(&square, |p| p.x - 1.0, &mut left);
         // a quarter of the way along the lower and three quarters along the upper edge
         let expected = [
             [1.0, 0.0, 0.5],
@@ -379,12 +344,12 @@ mod tests {
         ];
         assert_eq!(left, expected.map(DVec3::from));
         let (mut half, mut clipped) = (Vec::new(), Vec::new());
-        clip(&square, 0, [1.0, 3.0], &mut half, &mut clipped);
+        clip_between(&square, 0, [1.0, 3.0], &mut half, &mut clipped);
         let mut xs: Vec<_> = clipped.iter().map(|p| p.x).collect();
         xs.sort_by(f64::total_cmp);
         assert_eq!(xs, [1.0, 1.0, 3.0, 3.0]);
         assert_eq!(range(&clipped, 2, 0.25), Some([0.25, 1.75]));
-        cut(&square, 0, 5.0, |x| 5.0 <= x, &mut left);
+        clip(&square, |p| p.x - 5.0, &mut left);
         assert_eq!(range(&left, 2, 0.25), None);
     }
 

@@ -1,6 +1,6 @@
 //! Where the cells of a grid lie: the planes between them, and their numbers.
 
-use glam::DVec3;
+use crate::geometry::AxisBox;
 
 /// A box cut into equal cells by planes across x, y and z.
 ///
@@ -26,10 +26,10 @@ impl CellPlanes {
     /// pᵢ = min + (max − min)·i/n, and exactly `max` for i = n.
     ///
     /// The planes of an axis rise strictly if it has at most [`CellPlanes::most_along`] cells.
-    pub(crate) fn new(min: DVec3, max: DVec3, resolution: [u32; 3]) -> Self {
+    pub(crate) fn new(around: &AxisBox, resolution: [u32; 3]) -> Self {
         let mut stride = 1;
         let axes = [0, 1, 2].map(|axis: usize| {
-            let (low, high, n) = (min[axis], max[axis], resolution[axis]);
+            let ([low, high], n) = (around.along(axis), resolution[axis]);
             let side = high - low;
             let mut planes = Vec::with_capacity(n as usize + 1);
             planes.extend((0..n).map(|i| low + side * (f64::from(i) / f64::from(n))));
@@ -128,10 +128,16 @@ impl CellPlanes {
 
 #[cfg(test)]
 mod tests {
+    use glam::DVec3;
+
     use super::*;
 
     fn four_two_one() -> CellPlanes {
-        CellPlanes::new(DVec3::ZERO, DVec3::new(4.0, 4.0, 1.0), [4, 2, 1])
+        let around = AxisBox {
+            min: DVec3::ZERO,
+            max: DVec3::new(4.0, 4.0, 1.0),
+        };
+        CellPlanes::new(&around, [4, 2, 1])
     }
 
     #[test]
@@ -173,7 +179,8 @@ mod tests {
     fn planes_rise_strictly_up_to_the_finest_grid() {
         let (low, high) = (1e6, 1e6 + 1e-6);
         let n = CellPlanes::most_along(low, high) as u32;
-        let cells = CellPlanes::new(DVec3::splat(low), DVec3::splat(high), [n, 1, 1]);
+        let around = AxisBox::around([DVec3::splat(low), DVec3::splat(high)]);
+        let cells = CellPlanes::new(&around, [n, 1, 1]);
         assert!(100 < n, "{n}");
         assert!(cells.axis(0).is_sorted_by(|a, b| a < b));
     }
@@ -181,7 +188,7 @@ mod tests {
     #[test]
     fn a_number_is_that_of_one_cell_and_back() {
         // 2 × 3 × 4: z counts in sixes, y in twos
-        let cells = CellPlanes::new(DVec3::ZERO, DVec3::ONE, [2, 3, 4]);
+        let cells = CellPlanes::new(&AxisBox::around([DVec3::ZERO, DVec3::ONE]), [2, 3, 4]);
         assert_eq!(cells.number([1, 2, 3]), 1 + 2 * 2 + 3 * 6);
         assert_eq!(cells.cell(23), [1, 2, 3]);
         assert_eq!(cells.cell(8), [0, 1, 1]);
@@ -195,7 +202,7 @@ mod tests {
     #[test]
     fn planes_of_a_box_beside_the_origin_go_from_its_smallest_to_its_largest_coordinate() {
         let (min, max) = (DVec3::new(1.0, -2.0, 3.0), DVec3::new(5.0, 0.0, 9.0));
-        let cells = CellPlanes::new(min, max, [4, 2, 3]);
+        let cells = CellPlanes::new(&AxisBox { min, max }, [4, 2, 3]);
         assert_eq!(cells.axis(0), [1.0, 2.0, 3.0, 4.0, 5.0]);
         assert_eq!(cells.axis(1), [-2.0, -1.0, 0.0]);
         assert_eq!(cells.axis(2), [3.0, 5.0, 7.0, 9.0]);
@@ -221,7 +228,7 @@ mod tests {
      {
         // thirteen cells of a length that is no fraction of two: the planes are rounded, and a division lands beside them
         let (min, max) = (DVec3::splat(0.1), DVec3::new(1e3, 1e6 + 0.3, 7.7));
-        let cells = CellPlanes::new(min, max, [13, 97, 51]);
+        let cells = CellPlanes::new(&AxisBox { min, max }, [13, 97, 51]);
         for axis in 0..3 {
             let planes = cells.axis(axis);
             let last = planes.len() - 2;

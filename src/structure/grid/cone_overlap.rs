@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use crate::geometry::Cone;
+use crate::geometry::{AxisBox, Cone};
 
 /// Does the solid cone, its ends closed, touch the box? `false` only if a plane is found between them.
 ///
@@ -15,13 +15,14 @@ use crate::geometry::Cone;
 /// w is rounded by the coordinates that it is the difference of. A v as short as that rounding is 0, and A and B
 /// touch; where A − B has 0 inside, v would shrink further until no square of it is left. Nor does v·w > 0 count
 /// within that rounding, for its sign is chance.
-pub(in crate::structure) fn cone_touches(cone: &Cone, min: DVec3, max: DVec3) -> bool {
+pub(in crate::structure) fn cone_touches(cone: &Cone, solid: &AxisBox) -> bool {
     /// A few steps find a plane; where the two nearly touch, a cell too many does no harm.
     const STEPS: usize = 64;
     /// Of |v| and of the coordinates: the rim's point is rounded by its 2 sums and 2 products, by 4ε of the radius
     /// for an axis and a direction that are not quite of unit length and at right angles, and by as much for a
     /// v that is nearly along the axis; w by 1 difference, v·w by 3 products and 2 sums. Some 8ε, doubled.
     const ROUNDING: f64 = 16.0 * f64::EPSILON;
+    let AxisBox { min, max } = *solid;
     let [base, apex] = cone.radii();
     let of_cone = cone.base().abs().max(cone.apex().abs()).max_element() + base.max(apex);
     let of_box = min.abs().max(max.abs()).max_element();
@@ -104,7 +105,11 @@ mod tests {
     fn check(min: [f64; 3], max: [f64; 3], expected: bool) {
         // radius 5 at y = 0, tip at y = 10
         let cone = Cone::new(DVec3::ZERO, 5.0, DVec3::new(0.0, 10.0, 0.0), 0.0).unwrap();
-        assert_eq!(cone_touches(&cone, min.into(), max.into()), expected);
+        let solid = AxisBox {
+            min: min.into(),
+            max: max.into(),
+        };
+        assert_eq!(cone_touches(&cone, &solid), expected);
     }
 
     #[test]
@@ -136,7 +141,7 @@ mod tests {
             let at = |x: f64, y: f64, z: f64| scale * DVec3::new(x, y, z);
             let [base, apex] = [at(4.0, 3.0, -2.0), at(4.0, 3.0, -5.0)];
             let cylinder = Cone::new(base, 2.0 * scale, apex, 2.0 * scale).unwrap();
-            let meets = |min, max| cone_touches(&cylinder, min, max);
+            let meets = |min, max| cone_touches(&cylinder, &AxisBox { min, max });
             assert!(meets(at(5.0, 4.0, -5.0), at(6.0, 5.0, -2.0)), "{scale:e}");
             // and (5.5, 4.5) is √4.5 = 2.12 away
             assert!(!meets(at(5.5, 4.5, -5.0), at(6.0, 5.0, -2.0)), "{scale:e}");
@@ -204,7 +209,7 @@ mod tests {
                 let (z_low, z_high) = (min.z.max(low), max.z.min(high));
                 let beside = (min - at).max(at - max).max(DVec3::ZERO);
                 let gap = beside.x.hypot(beside.y) - radius(z_low).max(radius(z_high));
-                let found = cone_touches(&cone, min, max);
+                let found = cone_touches(&cone, &AxisBox { min, max });
                 if z_low <= z_high && gap <= 0.0 {
                     touching += 1;
                     assert!(found, "{base} {apex} {min} {max}");

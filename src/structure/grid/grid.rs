@@ -5,14 +5,14 @@
 //!
 //! **Room for rounding.** A computed hit may lie off its object's exact surface, and the ray that has it pass the
 //! object by. So an object is listed with a little room around it ([`Grid::new`]): in every cell that the
-//! object so widened touches. The box is wider still, so that no object touches its outer planes.
+//! object with this room touches. The grid's box has more room still, so that no object touches its outer planes.
 
-use crate::geometry::{Ray, TRange};
+use crate::geometry::{AxisBox, Ray, TRange};
 use crate::parallel;
 use crate::scene::{PrimitiveId, Scene, Shape};
-use crate::structure::bounds::widened_extent;
+use crate::structure::bounds::box_with_room;
 use crate::structure::grid::cell_lists::CellLists;
-use crate::structure::grid::cell_overlap::{Bounds, CellOverlap};
+use crate::structure::grid::cell_overlap::CellOverlap;
 use crate::structure::grid::cell_planes::CellPlanes;
 use crate::structure::grid::grid_options::{GridOptions, Lists};
 use crate::structure::grid::grid_resolution::resolution;
@@ -59,22 +59,21 @@ impl Grid {
     /// A density that is not above 0, a resolution of 0, or a grid that would take too much memory.
     pub fn new(scene: &Scene, options: &GridOptions) -> Result<Self, GridError> {
         let room = room(scene);
-        let bounds = parallel::map(scene.primitives.len(), |object| {
-            bounds_of(&scene.primitives[object].shape, room)
+        let boxes: Vec<AxisBox> = parallel::map(scene.primitives.len(), |object| {
+            around(&scene.primitives[object].shape, room)
         });
-        let around = around(&bounds, room);
-        let objects = bounds.len();
-        let cells = match around {
+        let objects = boxes.len();
+        let cells = match around_all(&boxes, room) {
             None => {
                 // what makes no sense is refused in any scene
-                resolution(DVec3::ZERO, DVec3::ONE, 1, options)?;
+                resolution(&AxisBox::around([DVec3::ZERO, DVec3::ONE]), 1, options)?;
                 CellPlanes::default()
             }
-            Some([min, max]) => CellPlanes::new(min, max, resolution(min, max, objects, options)?),
+            Some(all) => CellPlanes::new(&all, resolution(&all, objects, options)?),
         };
         let mut overlap = CellOverlap::new(&cells, options.lists, room);
         let lists = CellLists::filled(cells.count(), objects, |object, put| {
-            overlap.cells_of(&scene.primitives[object].shape, bounds[object], put);
+            overlap.cells_of(&scene.primitives[object].shape, &boxes[object], put);
         })
         .ok_or(GridError::TooManyEntries {
             resolution: cells.resolution(),
@@ -95,25 +94,12 @@ impl Grid {
 
     /// Where the ray is inside the grid's box: from the largest near to the smallest far.
     ///
-    /// `None` if it passes by, or has no direction.
+    /// `None` if it passes by, or has no direction; and in a scene without objects.
     pub fn inside(&self, ray: &Ray) -> Option<[f64; 2]> {
-        let (mut near, mut far) = (f64::NEG_INFINITY, f64::INFINITY);
-        for axis in 0..3 {
-            let [first, .., last] = *self.planes(axis) else {
-                return None;
-            };
-            let (origin, direction) = (ray.origin[axis], ray.direction[axis]);
-            if direction == 0.0 {
-                if origin < first || last < origin {
-                    return None;
-                }
-                continue;
-            }
-            let [a, b] = [first, last].map(|plane| (plane - origin) / direction);
-            near = near.max(a.min(b));
-            far = far.min(a.max(b));
+        if self.cells.is_empty() {
+            return None;
         }
-        (near <= far && near.is_finite() && far.is_finite()).then_some([near, far])
+        self.around().inside(ray)
     }
 
     /// Cells along x, y and z; zeros in a scene without objects.
@@ -129,16 +115,17 @@ impl Grid {
         self.cells.axis(axis)
     }
 
-    /// The smallest coordinates of the box; 0 in a scene without objects.
-    pub fn min(&self) -> DVec3 {
-        let first = |axis| self.planes(axis).first().copied().unwrap_or(0.0);
-        DVec3::new(first(0), first(1), first(2))
-    }
-
-    /// The largest coordinates of the box; 0 in a scene without objects.
-    pub fn max(&self) -> DVec3 {
-        let last = |axis| self.planes(axis).last().copied().unwrap_or(0.0);
-        DVec3::new(last(0), last(1), last(2))
+    /// The box that is cut into cells; the point 0 in a scene without objects.
+    pub fn around(&self) -> AxisBox {
+        let outer = |axis| match *self.planes(axis) {
+            [first, .., last] => [first, last],
+            _ => [0.0, 0.0],
+        };
+        let [x, y, z] = [0, 1, 2].map(outer);
+        AxisBox {
+            min: DVec3::new(x[0], y[0], z[0]),
+            max: DVec3::new(x[1], y[1], z[1]),
+        }
     }
 
     /// The objects listed in cell (i, j, k), the first in the scene first.
@@ -185,11 +172,11 @@ impl Grid {
         let primitives = (0..).map(PrimitiveId).zip(&scene.primitives);
         primitives.flat_map(move |(object, primitive)| {
             let shape = &primitive.shape;
-            let bounds = bounds_of(shape, self.room);
+            let around = around(shape, self.room);
             let mut numbers = Vec::new();
-            overlap.cells_of(shape, bounds, &mut |number| numbers.push(number));
+            overlap.cells_of(shape, &around, &mut |number| numbers.push(number));
             numbers.sort_unstable();
-            let share = if overlap.is_in_one_cell(bounds) {
+            let share = if overlap.is_in_one_cell(&around) {
                 Share::Whole
             } else {
                 Share::Part
@@ -208,16 +195,13 @@ impl Grid {
     }
 }
 
-/// How far a shape reaches along each axis, widened.
-fn bounds_of(shape: &Shape, room: f64) -> Bounds {
-    DVec3::AXES.map(|axis| {
-        let [low, high] = widened_extent(shape, axis);
-        [low - room, high + room]
-    })
+/// The box around a shape, with the room of every object.
+fn around(shape: &Shape, room: f64) -> AxisBox {
+    box_with_room(shape).with_room(room)
 }
 
-/// What every object is widened by, besides [`widened_extent`]'s share of its own size: a share of the largest coordinate
-/// of the scene and of the camera.
+/// The room of every object, besides [`box_with_room`]'s share of its own size: a share of the largest coordinate of the
+/// scene and of the camera.
 ///
 /// A ray starts at the camera or in the scene, and the rounding of what it meets grows with the coordinates
 /// of its origin: some 10⁻¹⁵ of them, a hundredfold where it meets a surface flatly.
@@ -228,20 +212,16 @@ fn room(scene: &Scene) -> f64 {
     SHARE * reach
 }
 
-/// The box around all objects, a hair wider: no object touches its planes.
-fn around(bounds: &[Bounds], room: f64) -> Option<[DVec3; 2]> {
+/// The box around all objects, with so much more room that none touches its planes.
+fn around_all(boxes: &[AxisBox], room: f64) -> Option<AxisBox> {
     /// Of the box's size; with ten times the room of an object.
-    const HAIR: f64 = 1e-9;
-    if bounds.is_empty() {
+    const SHARE: f64 = 1e-9;
+    if boxes.is_empty() {
         return None;
     }
-    let (mut min, mut max) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
-    for bounds in bounds {
-        min = min.min(DVec3::from_array(bounds.map(|[low, _]| low)));
-        max = max.max(DVec3::from_array(bounds.map(|[_, high]| high)));
-    }
-    let wider = HAIR * (max - min).max_element() + 10.0 * room;
-    Some([min - wider, max + wider])
+    let join = |sum: AxisBox, of: &AxisBox| sum.union(of);
+    let all = boxes.iter().fold(AxisBox::EMPTY, join);
+    Some(all.with_room(SHARE * all.size().max_element() + 10.0 * room))
 }
 
 #[cfg(test)]
@@ -270,8 +250,10 @@ mod tests {
         let wider = 0.9e-9 + 0.09e-9 + 6e-9 + 0.9e-9;
         let min = DVec3::new(1.0, 2.0, 3.0) - wider;
         let max = DVec3::new(5.0, 4.0, 9.0) + wider;
-        // roundings of coordinates up to 9, and the hair of the room itself
-        let off = (found.min() - min).abs().max((found.max() - max).abs());
+        // roundings of coordinates up to 9, and of the room itself
+        let off = (found.around().min - min)
+            .abs()
+            .max((found.around().max - max).abs());
         assert!(off.max_element() <= 1e-14, "{off}");
     }
 
@@ -282,7 +264,7 @@ mod tests {
         // 10⁻¹¹ of 1000 for each object and ten times that for the grid
         let found = grid(&scene, [4, 2, 3]);
         let wider = 0.9e-9 + 10e-9 + 6e-9 + 100e-9;
-        let off = (found.min() - (DVec3::new(1.0, 2.0, 3.0) - wider)).abs();
+        let off = (found.around().min - (DVec3::new(1.0, 2.0, 3.0) - wider)).abs();
         assert!(off.max_element() <= 1e-14, "{off}");
     }
 
@@ -324,7 +306,7 @@ mod tests {
             let ray = Ray::new(DVec3::new(0.0, y, 6.0), DVec3::X);
             grid.inside(&ray).is_some()
         };
-        let (low, high) = (grid.min().y, grid.max().y);
+        let [low, high] = grid.around().along(1);
         let places = [low.next_down(), low, high, high.next_up()];
         assert_eq!(places.map(inside), [false, true, true, false]);
     }
@@ -343,7 +325,7 @@ mod tests {
         assert_eq!(with(&[6.0, 6.0, 3.0, 3.0]), Some(([3, 0, 0], 2)));
         let empty = Grid::new(&scene_of(&[]), &GridOptions::default()).unwrap();
         assert_eq!(empty.fullest_cell(), None);
-        assert_eq!((empty.min(), empty.max()), (DVec3::ZERO, DVec3::ZERO));
+        assert_eq!(empty.around(), AxisBox::around([DVec3::ZERO]));
         assert_eq!(empty.inside(&Ray::new(DVec3::ZERO, DVec3::X)), None);
     }
 

@@ -2,6 +2,7 @@
 
 use glam::DVec3;
 
+use crate::geometry::AxisBox;
 use crate::structure::grid::cell_planes::CellPlanes;
 use crate::structure::{GridError, GridOptions, MOST_CELLS, MOST_CELLS_ALONG};
 
@@ -10,8 +11,7 @@ use crate::structure::{GridError, GridOptions, MOST_CELLS, MOST_CELLS_ALONG};
 /// # Errors
 /// A density that is not above 0, no cells, too many in all or in a row, or too thin ones.
 pub(in crate::structure) fn resolution(
-    min: DVec3,
-    max: DVec3,
+    around: &AxisBox,
     objects: usize,
     options: &GridOptions,
 ) -> Result<[u32; 3], GridError> {
@@ -19,13 +19,16 @@ pub(in crate::structure) fn resolution(
     if !(0.0 < density && density.is_finite()) {
         return Err(GridError::Density { density });
     }
-    let most = [0, 1, 2].map(|axis| CellPlanes::most_along(min[axis], max[axis]).max(1.0));
+    let most = [0, 1, 2].map(|axis| {
+        let [low, high] = around.along(axis);
+        CellPlanes::most_along(low, high).max(1.0)
+    });
     let along = match options.resolution {
         Some(resolution) if resolution.contains(&0) => {
             return Err(GridError::NoCells { resolution });
         }
         Some(resolution) => resolution.map(f64::from),
-        None => woo(max - min, density * objects as f64),
+        None => woo(around.size(), density * objects as f64),
     };
     let cells = along.iter().product();
     if f64::from(MOST_CELLS) < cells {
@@ -82,8 +85,8 @@ mod tests {
             density,
             ..GridOptions::default()
         };
-        let max = DVec3::from(sides);
-        let found = resolution(DVec3::ZERO, max, objects, &options);
+        let around = AxisBox::around([DVec3::ZERO, DVec3::from(sides)]);
+        let found = resolution(&around, objects, &options);
         assert_eq!(found, Ok(expected));
     }
 
@@ -114,7 +117,8 @@ mod tests {
 
     #[test]
     fn what_makes_no_sense_is_refused_before_anything_is_built() {
-        let refused = |options: GridOptions| resolution(DVec3::ZERO, DVec3::ONE, 10, &options);
+        let around = AxisBox::around([DVec3::ZERO, DVec3::ONE]);
+        let refused = |options: GridOptions| resolution(&around, 10, &options);
         let with = |density| GridOptions {
             density,
             ..GridOptions::default()
@@ -151,7 +155,11 @@ mod tests {
             ..GridOptions::default()
         };
         let min = DVec3::new(100.0, -50.0, 3.0);
-        let found = resolution(min, min + DVec3::new(4.0, 1.0, 1.0), 4000, &options);
+        let found = resolution(
+            &AxisBox::around([min, min + DVec3::new(4.0, 1.0, 1.0)]),
+            4000,
+            &options,
+        );
         assert_eq!(found, Ok([40, 10, 10]));
     }
 
@@ -162,7 +170,11 @@ mod tests {
                 resolution: Some(resolution),
                 ..GridOptions::default()
             };
-            super::resolution(DVec3::splat(min), DVec3::splat(max), 10, &options)
+            super::resolution(
+                &AxisBox::around([DVec3::splat(min), DVec3::splat(max)]),
+                10,
+                &options,
+            )
         };
         // 2¹² · 2¹² · 2² = 64·2²⁰
         assert_eq!(of(0.0, 1.0, [4096, 4096, 4]), Ok([4096, 4096, 4]));

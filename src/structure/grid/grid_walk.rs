@@ -128,10 +128,11 @@ mod tests {
     use glam::DVec3;
 
     use super::*;
+    use crate::geometry::AxisBox;
 
     /// 4 × 4 × 4 cells with sides of 1.
     fn unit_cells() -> CellPlanes {
-        CellPlanes::new(DVec3::ZERO, DVec3::splat(4.0), [4; 3])
+        CellPlanes::new(&AxisBox::around([DVec3::ZERO, DVec3::splat(4.0)]), [4; 3])
     }
 
     fn walk_in(origin: [f64; 3], direction: [f64; 3], range: TRange) -> Vec<CellStep> {
@@ -210,7 +211,10 @@ mod tests {
     #[test]
     fn a_corner_is_met_in_steps_where_f64_makes_one_or_the_other_first() {
         // thirds and sevenths: (3·n − 0)/3 = (7·n − 0)/7 in every n, whatever 1/3 and 1/7 are rounded to
-        let cells = CellPlanes::new(DVec3::ZERO, DVec3::new(30.0, 70.0, 1.0), [10, 10, 1]);
+        let cells = CellPlanes::new(
+            &AxisBox::around([DVec3::ZERO, DVec3::new(30.0, 70.0, 1.0)]),
+            [10, 10, 1],
+        );
         let ray = Ray::new(DVec3::new(0.0, 0.0, 0.5), DVec3::new(3.0, 7.0, 0.0));
         let steps: Vec<_> = GridWalk::new(&cells, &ray, TRange::FORWARD).collect();
         let diagonal: Vec<_> = (0..10).map(|n| [n, n, 0]).collect();

@@ -74,15 +74,15 @@ impl Meeting {
 /// Two t in this order stay in it whatever their rounding was.
 ///
 /// A t is rounded up to three times (the difference, 1/Δ, the product), so it is right within 2ε of itself.
-const MARGIN: f64 = 8.0 * f64::EPSILON;
+const TOLERANCE: f64 = 8.0 * f64::EPSILON;
 
-/// Below this, t loses digits to the limits of f64, and [`MARGIN`] says nothing.
+/// Below this, t loses digits to the limits of f64, and [`TOLERANCE`] says nothing.
 const TINY: f64 = 1e-290;
 
 /// Does t come before the other for certain? Infinite values that would need a closer look are not certain.
 #[inline]
 fn clearly_before(t: f64, other: f64) -> bool {
-    t + MARGIN * t.abs() + TINY < other
+    t + TOLERANCE * t.abs() + TINY < other
 }
 
 /// What is not below 0 and comes after this comes after t for certain: the same with one operation less.
@@ -90,7 +90,7 @@ fn clearly_before(t: f64, other: f64) -> bool {
 /// A t below 0 by more than [`TINY`] is below 0 whatever its rounding was.
 #[inline]
 pub(crate) fn just_after(t: f64) -> f64 {
-    t * (1.0 + MARGIN) + TINY
+    t * (1.0 + TOLERANCE) + TINY
 }
 
 #[cfg(test)]

@@ -9,9 +9,10 @@
 
 use glam::DVec3;
 
+use crate::geometry::AxisBox;
 use crate::scene::Scene;
+use crate::structure::bounds::box_with_room;
 use crate::structure::hierarchy::node::Topology;
-use crate::structure::hierarchy::solid::Solid;
 use crate::structure::hierarchy::tree::Tree;
 
 /// How far along the curve a partner is looked for, to either side: the paper finds no gain beyond some
@@ -22,15 +23,15 @@ const NEIGHBOURS: usize = 16;
 #[derive(Clone, Copy)]
 struct Cluster {
     node: u32,
-    solid: Solid,
+    solid: AxisBox,
 }
 
 /// The hierarchy of pairs.
 pub(in crate::structure) fn bottom_up<const N: usize>(scene: &Scene) -> Topology<N> {
-    let solids: Vec<Solid> = scene
+    let solids: Vec<AxisBox> = scene
         .primitives
         .iter()
-        .map(|primitive| Solid::of(&primitive.shape))
+        .map(|primitive| box_with_room(&primitive.shape))
         .collect();
     let mut tree = Tree::of(solids.len());
     let cluster = |object: u32| Cluster {
@@ -91,19 +92,19 @@ fn partner(waiting: &[Cluster], at: usize) -> usize {
 
 /// The objects in the order of Morton's curve, which runs through space so that neighbours along it are
 /// near each other: the bits of x, y and z by turns.
-fn along_the_curve(solids: &[Solid]) -> Vec<u32> {
+fn along_the_curve(solids: &[AxisBox]) -> Vec<u32> {
     /// Bits for each coordinate: three times as many fit into 64.
     const BITS: u32 = 21;
-    let centers = || solids.iter().map(Solid::doubled_center);
-    let low = centers().fold(DVec3::INFINITY, DVec3::min);
-    let high = centers().fold(DVec3::NEG_INFINITY, DVec3::max);
+    let centers = || solids.iter().map(AxisBox::doubled_center);
+    let around = AxisBox::around(centers());
     let steps = f64::from((1_u32 << BITS) - 1);
     // all centers in one plane: that coordinate says nothing
-    let scale = (high - low)
+    let scale = around
+        .size()
         .to_array()
         .map(|side| if 0.0 < side { steps / side } else { 0.0 });
     let code = |center: DVec3| {
-        let place = (center - low) * DVec3::from(scale);
+        let place = (center - around.min) * DVec3::from(scale);
         let [x, y, z] = place.to_array().map(|p| spread(p as u64));
         x | y << 1 | z << 2
     };
@@ -133,8 +134,8 @@ mod tests {
     }
 
     /// A cube with sides of 1 in a row along x.
-    fn cube(x: f64) -> Solid {
-        Solid {
+    fn cube(x: f64) -> AxisBox {
+        AxisBox {
             min: DVec3::new(x, 0.0, 0.0),
             max: DVec3::new(x + 1.0, 1.0, 1.0),
         }
@@ -198,7 +199,7 @@ mod tests {
 
     #[test]
     fn the_curve_takes_the_corners_of_a_cube_x_first_then_y_then_z() {
-        let at = |x: f64, y: f64, z: f64| Solid {
+        let at = |x: f64, y: f64, z: f64| AxisBox {
             min: DVec3::new(x, y, z),
             max: DVec3::new(x, y, z),
         };
@@ -223,7 +224,7 @@ mod tests {
 
     #[test]
     fn places_on_the_curve_are_shares_of_the_extent_wherever_the_objects_lie() {
-        let at = |x: f64, y: f64| Solid {
+        let at = |x: f64, y: f64| AxisBox {
             min: DVec3::new(x, y, 0.0),
             max: DVec3::new(x, y, 0.0),
         };

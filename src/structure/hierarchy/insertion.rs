@@ -11,15 +11,16 @@
 //! What it cost to make the nodes above larger is paid in any case. The tree depends on the order of the
 //! objects; here it is that of the scene.
 
+use crate::geometry::AxisBox;
 use crate::scene::{Primitive, Scene};
+use crate::structure::bounds::box_with_room;
 use crate::structure::hierarchy::node::Topology;
-use crate::structure::hierarchy::solid::Solid;
 use crate::structure::hierarchy::tree::Tree;
 
 /// The growing tree, and the box around each of its nodes.
 struct Growing {
     tree: Tree<Vec<u32>>,
-    solids: Vec<Solid>,
+    solids: Vec<AxisBox>,
     root: u32,
 }
 
@@ -29,7 +30,7 @@ pub(in crate::structure) fn insertion<const N: usize>(scene: &Scene) -> Topology
     if objects == 0 {
         return Topology::default();
     }
-    let solid_of = |primitive: &Primitive| Solid::of(&primitive.shape);
+    let solid_of = |primitive: &Primitive| box_with_room(&primitive.shape);
     let mut growing = Growing {
         tree: Tree::of(objects),
         solids: scene.primitives.iter().map(solid_of).collect(),
@@ -83,7 +84,7 @@ impl Growing {
 
     /// The child that takes the object in at the least cost: its place, itself, what it adds, and whether it
     /// is an object, so that a pair would be made.
-    fn best_child(&self, node: u32, solid: &Solid) -> Option<(usize, u32, f64, bool)> {
+    fn best_child(&self, node: u32, solid: &AxisBox) -> Option<(usize, u32, f64, bool)> {
         let children = self.tree.children(node)?;
         let cost = |(place, &child): (usize, &u32)| {
             let before = self.solids[child as usize];

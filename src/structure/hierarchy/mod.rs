@@ -8,7 +8,6 @@ mod bottom_up;
 mod hierarchy;
 mod insertion;
 mod node;
-mod solid;
 mod surface_area;
 mod tree;
 

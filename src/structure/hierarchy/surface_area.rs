@@ -10,9 +10,10 @@
 
 use glam::DVec3;
 
+use crate::geometry::AxisBox;
 use crate::scene::{Primitive, PrimitiveId, Scene, Shape};
+use crate::structure::bounds::box_with_room;
 use crate::structure::hierarchy::node::{Link, Node, Topology};
-use crate::structure::hierarchy::solid::Solid;
 
 /// Into how many bins at most the centers are sorted along an axis: more of them find hardly better cuts.
 const BINS: usize = 16;
@@ -28,7 +29,7 @@ const DEEPEST: u32 = 64;
 /// An object on its way into a leaf.
 #[derive(Clone, Copy)]
 struct Item {
-    solid: Solid,
+    solid: AxisBox,
     id: PrimitiveId,
 }
 
@@ -39,7 +40,7 @@ struct Task {
     to: usize,
     depth: u32,
     /// Around its objects.
-    solid: Solid,
+    solid: AxisBox,
 }
 
 /// The hierarchy by the surface-area heuristic.
@@ -48,7 +49,7 @@ pub(in crate::structure) fn surface_area<const N: usize>(scene: &Scene) -> Topol
         .map(PrimitiveId)
         .zip(&scene.primitives)
         .map(|(id, primitive)| Item {
-            solid: Solid::of(&primitive.shape),
+            solid: box_with_room(&primitive.shape),
             id,
         })
         .collect();
@@ -116,9 +117,9 @@ fn node_cost(scene: &Scene) -> f64 {
 }
 
 /// The box around objects.
-fn around(items: &[Item]) -> Solid {
-    let join = |sum: Solid, item: &Item| sum.union(&item.solid);
-    items.iter().fold(Solid::EMPTY, join)
+fn around(items: &[Item]) -> AxisBox {
+    let join = |sum: AxisBox, item: &Item| sum.union(&item.solid);
+    items.iter().fold(AxisBox::EMPTY, join)
 }
 
 /// A node that is cut in two.
@@ -126,11 +127,11 @@ struct Halves {
     /// How many objects the first half has.
     left: usize,
     /// The boxes around the halves.
-    solids: [Solid; 2],
+    solids: [AxisBox; 2],
 }
 
 /// Sorts the objects of a node into two halves; `None` if it stays whole. `solid` is the box around them.
-fn cut(items: &mut [Item], solid: &Solid, depth: u32, node_cost: f64) -> Option<Halves> {
+fn cut(items: &mut [Item], solid: &AxisBox, depth: u32, node_cost: f64) -> Option<Halves> {
     let count = items.len();
     if count <= 1 {
         return None;
@@ -169,7 +170,7 @@ struct Cut {
     cost: f64,
     axis: usize,
     bin: usize,
-    solids: [Solid; 2],
+    solids: [AxisBox; 2],
 }
 
 /// Which bin an object belongs to, along each axis.
@@ -186,15 +187,15 @@ impl Binning {
     /// are objects tell nearly all of them apart.
     fn new(items: &[Item]) -> Self {
         let centers = items.iter().map(|item| item.solid.doubled_center());
-        let Solid { min, max } = Solid::around_points(centers);
+        let around = AxisBox::around(centers);
         let count = BINS.min(2 * items.len()) as u32;
-        let scale = (max - min).to_array().map(|side| {
+        let scale = around.size().to_array().map(|side| {
             let scale = f64::from(count) / side;
             if scale.is_finite() { scale } else { 0.0 }
         });
         Self {
             count,
-            low: min,
+            low: around.min,
             scale: scale.into(),
         }
     }
@@ -210,13 +211,13 @@ impl Binning {
 /// What is in a bin, or in several.
 #[derive(Clone, Copy)]
 struct Bin {
-    solid: Solid,
+    solid: AxisBox,
     count: u32,
 }
 
 impl Bin {
     const EMPTY: Self = Self {
-        solid: Solid::EMPTY,
+        solid: AxisBox::EMPTY,
         count: 0,
     };
 
@@ -271,8 +272,8 @@ fn best_cut(items: &[Item], bins: &Binning) -> Option<Cut> {
     let (axis, bin) = place?;
     let (before, behind) = filled[axis].split_at(bin + 1);
     let solid = |bins: &[Bin]| {
-        let join = |sum: Solid, bin: &Bin| sum.union(&bin.solid);
-        bins.iter().fold(Solid::EMPTY, join)
+        let join = |sum: AxisBox, bin: &Bin| sum.union(&bin.solid);
+        bins.iter().fold(AxisBox::EMPTY, join)
     };
     Some(Cut {
         cost: least,
@@ -316,7 +317,7 @@ mod tests {
 
     fn items(scene: &Scene) -> Vec<Item> {
         let item = |(id, primitive): (PrimitiveId, &Primitive)| Item {
-            solid: Solid::of(&primitive.shape),
+            solid: box_with_room(&primitive.shape),
             id,
         };
         (0..)

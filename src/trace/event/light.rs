@@ -3,15 +3,15 @@
 use glam::DVec3;
 
 use crate::trace::event::table::{Connection, Photon};
-use crate::trace::event::words::PhotonFate;
+use crate::trace::event::words::PhotonVerdict;
 
 impl Photon {
     /// What of the power goes on. Absorbed is what arrives less this.
     pub fn leaving(&self) -> DVec3 {
-        match self.fate {
-            PhotonFate::Mirrored | PhotonFate::Refracted => self.power,
-            PhotonFate::Absorbed => DVec3::ZERO,
-            PhotonFate::Diffused => {
+        match self.verdict {
+            PhotonVerdict::Mirrored | PhotonVerdict::Refracted => self.power,
+            PhotonVerdict::Absorbed => DVec3::ZERO,
+            PhotonVerdict::Diffused => {
                 let limit = self.reflection + self.transmission;
                 let goes_on = |channel: usize| {
                     let survives = self.chance < limit + self.diffuse[channel];

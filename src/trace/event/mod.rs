@@ -18,13 +18,13 @@ mod words;
 mod working;
 
 pub use light::geometry_term;
-pub use search::{BoundOutcome, Bounded};
+pub use search::{BoundVerdict, Bounded};
 pub use table::{
     Aligned, Alternative, Arrival, BoundTest, CellVisit, Connection, Event, Gathered, GridEnter,
     GridExit, HitOutsideCell, Kind, LightTerm, Nearby, Nearest, NodeVisit, PathStart, Photon,
     PixelColour, PixelSample, QueueStep, RayEnd, RaySlab, RayStart, Shade, SlabTest, Stored, ZSort,
 };
 pub use words::{
-    AlignedPart, NodeOutcome, Outcome, PhotonFate, Purpose, QueueAction, Verdict, Visibility,
+    AlignedPart, NodeVerdict, PhotonVerdict, Purpose, QueueAction, RayVerdict, Verdict, Visibility,
     WalkEnd, Why,
 };

@@ -42,7 +42,7 @@ impl Fields for Bounded {
 
 /// What a ray does to a bounding volume.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum BoundOutcome {
+pub enum BoundVerdict {
     /// It meets it where it counts: what is inside is looked at.
     Hit,
     /// It passes by.
@@ -54,7 +54,7 @@ pub enum BoundOutcome {
     Beyond,
 }
 
-impl BoundOutcome {
+impl BoundVerdict {
     /// What follows from where a ray is inside a volume, and from which t count. Equality counts.
     pub(crate) fn of(inside: Option<[f64; 2]>, range: TRange) -> Self {
         match inside {
@@ -76,7 +76,7 @@ impl BoundOutcome {
     }
 }
 
-impl Fields for BoundOutcome {
+impl Fields for BoundVerdict {
     fn fields<V: Visitor>(&mut self, v: &mut V) {
         let mut judged = Judged(self.why());
         judged.fields(v);

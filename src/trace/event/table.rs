@@ -7,7 +7,8 @@
 use glam::{DVec2, DVec3};
 
 use crate::geometry::{
-    Alignment, BoxTest, EdgeTest, PlaneTest, PolygonTest, QuadraticTest, Ray, Refraction, TRange,
+    Alignment, AxisBox, BoxTest, EdgeTest, PlaneTest, PolygonTest, QuadraticTest, Ray, Refraction,
+    TRange,
 };
 use crate::scene::{PhongTerm, PrimitiveId};
 use crate::structure::{AssignStep, CellStep, MergeStep, SlabStep, VolumeKind};
@@ -15,9 +16,9 @@ use crate::trace::event::columns::{Column, derived, light, light_if_any, replace
 use crate::trace::event::declare::{events, fields, payload, variant};
 use crate::trace::event::fields::{Fields, Visitor};
 use crate::trace::event::place::KindPlace;
-use crate::trace::event::search::{BoundOutcome, Bounded, Stretch};
+use crate::trace::event::search::{BoundVerdict, Bounded, Stretch};
 use crate::trace::event::words::{
-    AlignedPart, NodeOutcome, Outcome, PhotonFate, Purpose, QueueAction, Visibility, WalkEnd,
+    AlignedPart, NodeVerdict, PhotonVerdict, Purpose, QueueAction, RayVerdict, Visibility, WalkEnd,
 };
 
 events! {
@@ -74,10 +75,8 @@ events! {
 
     /// A ray comes to the grid.
     GridEnter(GridEnter) = "grid_enter", Either {
-        /// The smallest coordinates of the grid's box.
-        min: DVec3,
-        /// The largest coordinates of the grid's box.
-        max: DVec3,
+        /// The grid's box.
+        around: AxisBox = flat,
         /// How many cells there are along x, y and z.
         resolution: [u32; 3],
         /// Where the ray is inside the box; `None` if it passes by.
@@ -98,8 +97,8 @@ events! {
         size: u32,
     }
 
-    /// S and T of a ray and a direction of slabs are computed, once for all bounds (Fig. 15.58(a)). They come before the
-    /// ray's tests.
+    /// S and T of a ray and a direction of slabs are computed, once for all bounds (Fig. 15.58(a)), and the room that all of
+    /// them have. They come before the ray's tests.
     SlabRay(RaySlab) = "slab_ray", Either {
         /// Which direction of the set, from 0.
         slab: u32,
@@ -109,9 +108,12 @@ events! {
         s: f64,
         /// T = −1/(A·Δx + B·Δy + C·Δz); absent: the ray is parallel to the slab.
         t_scale: f64 = by unbounded,
+        /// By how much either plane of a slab is moved outwards for rounding: a length. Near and far of the ray's
+        /// `slab_test`s are t = (S - room + D_min)·T and t = (S + room + D_max)·T.
+        room: f64,
     }
 
-    /// One slab of a bound is tested (Fig. 15.58(a)): with S and T of its `slab_ray`.
+    /// One slab of a bound is tested (Fig. 15.58(a)): with S, T and the room of its `slab_ray`.
     SlabTest(SlabTest) = "slab_test", Either {
         /// What the bound is around.
         of: Bounded = flat,
@@ -130,7 +132,7 @@ events! {
         /// By how much the volume is wider for rounding than what it is around: a length. `inside` has it in it.
         room: f64,
         /// What follows from where the ray is inside.
-        outcome: BoundOutcome = flat,
+        verdict: BoundVerdict = flat,
     }
 
     /// A node of the hierarchy is visited or left out.
@@ -146,7 +148,7 @@ events! {
         /// t at which the ray enters its bound; absent: it does not.
         near: Option<f64>,
         /// What became of the node.
-        outcome: NodeOutcome,
+        verdict: NodeVerdict as outcome,
     }
 
     /// A ray pierces a cell, whose list is looked at (Fig. 15.62).
@@ -338,7 +340,7 @@ events! {
         /// colour·diffuse: the probability of each channel to go on diffusely.
         diffuse: DVec3,
         /// What became of the photon.
-        fate: PhotonFate,
+        verdict: PhotonVerdict as outcome,
         /// What goes on, in the unit of `power`. What arrives less this is absorbed.
         leaving => Photon::leaving,
     }
@@ -415,7 +417,7 @@ events! {
     /// A ray ends.
     RayEnd(RayEnd) = "ray_end", Either {
         /// How the ray ends.
-        outcome: Outcome,
+        verdict: RayVerdict as outcome,
         /// What it hits; absent: nothing.
         object: Option<PrimitiveId>,
         /// t of the hit; absent: there is none.

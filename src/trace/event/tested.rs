@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use crate::geometry::{PARALLEL, Ray, SlabRay};
+use crate::geometry::{PARALLEL, SlabRay};
 use crate::trace::event::table::{Event, PixelColour, RaySlab};
 use crate::trace::event::verdict::{of_box, of_plane, of_polygon, of_quadratic, of_slab, verdict};
 use crate::trace::event::words::{Verdict, Why};
@@ -25,8 +25,8 @@ impl Event {
             Self::BoxTest { test, .. } => of_box(test),
             Self::PlaneTest { test, .. } => of_plane(test),
             Self::PolygonTest { test, .. } => of_polygon(test),
-            Self::BoundTest(test) => test.outcome.why(),
-            Self::SlabTest(test) => of_slab(test.step.outcome),
+            Self::BoundTest(test) => test.verdict.why(),
+            Self::SlabTest(test) => of_slab(test.step.verdict),
             _ => return None,
         };
         Some((verdict(why), why))
@@ -62,9 +62,9 @@ impl Event {
 }
 
 impl RaySlab {
-    /// S and T of a ray and one direction of a set. T of a parallel ray is ∞: its sign says nothing.
-    pub(crate) fn new(ray: &Ray, slab: u32, normal: DVec3) -> Self {
-        let SlabRay { s, t_scale } = SlabRay::new(ray, normal);
+    /// S and T of a ray and one direction of a set, and the room. T of a parallel ray is ∞: its sign says nothing.
+    pub(crate) fn new(slab: u32, normal: DVec3, line: SlabRay, room: f64) -> Self {
+        let SlabRay { s, t_scale } = line;
         Self {
             slab,
             normal,
@@ -74,6 +74,7 @@ impl RaySlab {
             } else {
                 t_scale
             },
+            room,
         }
     }
 

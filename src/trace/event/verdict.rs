@@ -1,9 +1,9 @@
 //! What became of a test: one pair of words for all kinds of tests, `verdict` and, where rejected, `why`.
 
 use crate::geometry::{
-    BoxTest, Fate, PlaneTest, PlaneVerdict, PolygonTest, QuadraticTest, Roots, SlabInterval,
+    BoxTest, PlaneTest, PlaneVerdict, PolygonTest, QuadraticTest, RootVerdict, Roots, SlabInterval,
 };
-use crate::structure::SlabOutcome;
+use crate::structure::SlabVerdict;
 use crate::trace::event::fields::{Fields, Visitor};
 use crate::trace::event::words::{Verdict, Why};
 
@@ -16,15 +16,15 @@ pub(super) const fn verdict(why: Option<Why>) -> Verdict {
 
 impl Why {
     /// Why a root is not the hit; `None` for the hit.
-    const fn of_root(fate: Fate) -> Option<Self> {
-        match fate {
-            Fate::Chosen => None,
-            Fate::Behind => Some(Self::Behind),
-            Fate::BelowEpsilon => Some(Self::BelowEpsilon),
-            Fate::BeyondNearest => Some(Self::BeyondNearest),
-            Fate::BackFace => Some(Self::BackFace),
-            Fate::FrontFace => Some(Self::FrontFace),
-            Fate::BeyondEnds => Some(Self::BeyondEnds),
+    const fn of_root(verdict: RootVerdict) -> Option<Self> {
+        match verdict {
+            RootVerdict::Chosen => None,
+            RootVerdict::Behind => Some(Self::Behind),
+            RootVerdict::BelowEpsilon => Some(Self::BelowEpsilon),
+            RootVerdict::BeyondNearest => Some(Self::BeyondNearest),
+            RootVerdict::BackFace => Some(Self::BackFace),
+            RootVerdict::FrontFace => Some(Self::FrontFace),
+            RootVerdict::BeyondEnds => Some(Self::BeyondEnds),
         }
     }
 }
@@ -37,10 +37,10 @@ fn why_no_hit(roots: &Roots, without: Why) -> Option<Why> {
     if roots.chosen().is_some() {
         return None;
     }
-    let in_front = |fate| !matches!(fate, Fate::Behind | Fate::BelowEpsilon);
-    let root = roots.iter().find(|root| in_front(root.fate));
+    let in_front = |verdict| !matches!(verdict, RootVerdict::Behind | RootVerdict::BelowEpsilon);
+    let root = roots.iter().find(|root| in_front(root.verdict));
     let root = root.or_else(|| roots.iter().last());
-    root.map_or(Some(without), |root| Why::of_root(root.fate))
+    root.map_or(Some(without), |root| Why::of_root(root.verdict))
 }
 
 pub(super) fn of_quadratic(test: &QuadraticTest) -> Option<Why> {
@@ -58,7 +58,7 @@ pub(super) fn of_box(test: &BoxTest) -> Option<Why> {
 
 pub(super) fn of_plane(test: &PlaneTest) -> Option<Why> {
     match test.verdict {
-        PlaneVerdict::Meets(root) => Why::of_root(root.fate),
+        PlaneVerdict::Meets(root) => Why::of_root(root.verdict),
         PlaneVerdict::ParallelBeside | PlaneVerdict::ParallelWithin => Some(Why::Parallel),
     }
 }
@@ -67,11 +67,11 @@ pub(super) fn of_polygon(test: &PolygonTest) -> Option<Why> {
     (!test.inside).then_some(Why::Outside)
 }
 
-pub(super) fn of_slab(outcome: SlabOutcome) -> Option<Why> {
-    match outcome {
-        SlabOutcome::GoesOn | SlabOutcome::ParallelInside => None,
-        SlabOutcome::Null => Some(Why::Empty),
-        SlabOutcome::ParallelOutside => Some(Why::Parallel),
+pub(super) fn of_slab(verdict: SlabVerdict) -> Option<Why> {
+    match verdict {
+        SlabVerdict::GoesOn | SlabVerdict::ParallelInside => None,
+        SlabVerdict::Null => Some(Why::Empty),
+        SlabVerdict::ParallelOutside => Some(Why::Parallel),
     }
 }
 
@@ -108,22 +108,22 @@ mod tests {
     use crate::geometry::Root;
 
     #[track_caller]
-    fn check(fates: &[Fate], expected: Option<Why>) {
-        let root = |fate| Root { t: 1.0, fate };
-        let roots = match *fates {
+    fn check(verdicts: &[RootVerdict], expected: Option<Why>) {
+        let root = |verdict| Root { t: 1.0, verdict };
+        let roots = match *verdicts {
             [] => Roots::None,
-            [fate] => Roots::Graze(root(fate)),
+            [verdict] => Roots::Graze(root(verdict)),
             [near, far, ..] => Roots::Two {
                 near: root(near),
                 far: root(far),
             },
         };
-        assert_eq!(why_no_hit(&roots, Why::NoRoot), expected, "{fates:?}");
+        assert_eq!(why_no_hit(&roots, Why::NoRoot), expected, "{verdicts:?}");
     }
 
     #[test]
     fn the_nearer_root_in_front_of_the_origin_says_why_there_is_no_hit() {
-        use Fate::{BackFace, Behind, BelowEpsilon, BeyondEnds, BeyondNearest, Chosen};
+        use RootVerdict::{BackFace, Behind, BelowEpsilon, BeyondEnds, BeyondNearest, Chosen};
         check(&[], Some(Why::NoRoot));
         check(&[Chosen], None);
         check(&[Behind, Chosen], None);

@@ -3,7 +3,7 @@
 //! `words! { enum … }` declares an enum of the trace with its words; `words! { for … }` gives words to an enum of a
 //! layer below. The writer, the reader and the schema know a value by its word alone.
 
-use crate::geometry::{Axis, DecidedBy, Fate};
+use crate::geometry::{Axis, DecidedBy, RootVerdict};
 use crate::structure::{Across, Share, VolumeKind};
 use crate::trace::event::fields::Word;
 
@@ -108,7 +108,7 @@ words! {
 }
 
 words! {
-    for Fate {
+    for RootVerdict {
         /// The smallest t that counts: the hit.
         Chosen = "chosen",
         /// t <= 0: behind the origin.
@@ -148,7 +148,7 @@ words! {
 
 words! {
     /// How a ray ended.
-    pub enum Outcome: Miss by default {
+    pub enum RayVerdict: Miss by default {
         /// It hits an object.
         Hit = "hit",
         /// It hits no object and sees the background.
@@ -170,7 +170,7 @@ words! {
 
 words! {
     /// What becomes of a photon at a surface.
-    pub enum PhotonFate: Absorbed by default {
+    pub enum PhotonVerdict: Absorbed by default {
         /// It is reflected in the mirror direction.
         Mirrored = "mirrored",
         /// It passes through the surface, bent by Snell's law.
@@ -249,7 +249,7 @@ words! {
 
 words! {
     /// What became of a node?
-    pub enum NodeOutcome: Rejected by default {
+    pub enum NodeVerdict: Rejected by default {
         /// Its children or its objects are tested.
         Entered = "entered",
         /// The ray does not meet its bound in front of the origin.

@@ -1,11 +1,11 @@
 //! What the steps of the layers below have in a line: their fields, in the order of the line.
 
 use crate::geometry::{
-    Alignment, BoxTest, EdgeTest, PlaneTest, PlaneVerdict, PolygonTest, QuadraticTest, Ray,
-    Refraction, Root, Roots, SlabInterval, TRange,
+    Alignment, AxisBox, BoxTest, EdgeTest, PlaneTest, PlaneVerdict, PolygonTest, QuadraticTest,
+    Ray, Refraction, Root, Roots, SlabInterval, TRange,
 };
 use crate::scene::PhongTerm;
-use crate::structure::{AssignStep, CellStep, MergeStep, SlabOutcome, SlabStep};
+use crate::structure::{AssignStep, CellStep, MergeStep, SlabStep, SlabVerdict};
 use crate::trace::event::columns::{Column, derived, unbounded, unbounded_below};
 use crate::trace::event::declare::fields;
 use crate::trace::event::fields::{Fields, Visitor};
@@ -24,6 +24,13 @@ fields! { TRange {
     t_min: min,
     /// The largest t that counts; absent: no limit.
     t_max: max = by unbounded,
+} }
+
+fields! { AxisBox {
+    /// The smallest coordinates of the grid's box.
+    min,
+    /// The largest coordinates of the grid's box.
+    max,
 } }
 
 fields! { QuadraticTest {
@@ -54,8 +61,8 @@ impl Fields for Roots {
             Self::Linear(root) => (RootCount::Linear, Some(root), None),
         };
         v.field("roots", "How many real roots there are.", &mut count);
-        optional_root(&mut near, ["near", "near_fate"], v);
-        optional_root(&mut far, ["far", "far_fate"], v);
+        optional_root(&mut near, ["near", "near_verdict"], v);
+        optional_root(&mut far, ["far", "far_verdict"], v);
         *self = match (count, near, far) {
             (RootCount::None, None, None) => Self::None,
             (RootCount::Graze, Some(root), None) => Self::Graze(root),
@@ -66,14 +73,14 @@ impl Fields for Roots {
     }
 }
 
-fn optional_root<V: Visitor>(root: &mut Option<Root>, [at, fate]: [&'static str; 2], v: &mut V) {
-    let (mut t, mut what) = (root.map(|r| r.t), root.map(|r| r.fate));
+fn optional_root<V: Visitor>(root: &mut Option<Root>, [at, verdict]: [&'static str; 2], v: &mut V) {
+    let (mut t, mut what) = (root.map(|r| r.t), root.map(|r| r.verdict));
     v.optional(at, "t of the root; absent: there is none.", &mut t);
-    v.optional(fate, "Is the root the hit, and why not?", &mut what);
+    v.optional(verdict, "Is the root the hit, and why not?", &mut what);
     *root = match (t, what) {
-        (Some(t), Some(fate)) => Some(Root { t, fate }),
+        (Some(t), Some(verdict)) => Some(Root { t, verdict }),
         (None, None) => None,
-        _ => return v.fail("a root has either both t and fate or neither"),
+        _ => return v.fail("a root has either both t and verdict or neither"),
     };
 }
 
@@ -154,7 +161,7 @@ impl Fields for PlaneTest {
         };
         let meaning = "Is the ray parallel to the plane, and if so, beside it or in it?";
         v.field("parallel", meaning, &mut parallel);
-        optional_root(&mut root, ["root", "fate"], v);
+        optional_root(&mut root, ["root", "root_verdict"], v);
         self.verdict = match (parallel, root) {
             (ToPlane::Meets, Some(root)) => PlaneVerdict::Meets(root),
             (ToPlane::Beside, None) => PlaneVerdict::ParallelBeside,
@@ -290,13 +297,10 @@ impl Fields for SlabStep {
             "Which direction of the set, from 0.",
             &mut self.slab,
         );
-        let meaning = "D of the plane furthest along the normal.";
+        let meaning = "D of the plane furthest along the normal, without the room that near and far have in them.";
         v.field("d_min", meaning, &mut self.d_min);
-        let meaning = "D of the plane furthest back along the normal.";
+        let meaning = "D of the plane furthest back along the normal, without room.";
         v.field("d_max", meaning, &mut self.d_max);
-        let meaning =
-            "By how much either plane is moved outwards for rounding: a length. t has it in it.";
-        v.field("room", meaning, &mut self.room);
         slab_interval(&mut self.interval, ["parallel", "near", "far"], v);
         let meaning =
             "The largest near up to this slab; absent: the ray is parallel to all slabs so far.";
@@ -304,14 +308,14 @@ impl Fields for SlabStep {
         let meaning =
             "The smallest far up to this slab; absent: the ray is parallel to all slabs so far.";
         unbounded(&mut self.min_far, "min_far", meaning, v);
-        let mut judged = Judged(of_slab(self.outcome));
+        let mut judged = Judged(of_slab(self.verdict));
         judged.fields(v);
         let is_parallel = !matches!(self.interval, SlabInterval::Between { .. });
-        self.outcome = match judged.0 {
-            None if is_parallel => SlabOutcome::ParallelInside,
-            None => SlabOutcome::GoesOn,
-            Some(Why::Empty) => SlabOutcome::Null,
-            Some(Why::Parallel) if is_parallel => SlabOutcome::ParallelOutside,
+        self.verdict = match judged.0 {
+            None if is_parallel => SlabVerdict::ParallelInside,
+            None => SlabVerdict::GoesOn,
+            Some(Why::Empty) => SlabVerdict::Null,
+            Some(Why::Parallel) if is_parallel => SlabVerdict::ParallelOutside,
             Some(_) => {
                 return v.fail(
                     "a slab is rejected as empty, or as parallel if the ray is parallel to it",

@@ -5,7 +5,7 @@ use std::ops::AddAssign;
 use glam::DVec3;
 
 use crate::trace::{
-    BoundOutcome, Bounded, Event, Kind, NodeOutcome, Outcome, Purpose, QueueAction, RayEnd,
+    BoundVerdict, Bounded, Event, Kind, NodeVerdict, Purpose, QueueAction, RayEnd, RayVerdict,
     Recorder,
 };
 
@@ -216,18 +216,18 @@ impl LightCount {
         }
     }
 
-    fn leg_ended(&mut self, outcome: Outcome) {
+    fn leg_ended(&mut self, verdict: RayVerdict) {
         let Some(path) = self.path else { return };
-        match outcome {
-            Outcome::Miss => {
+        match verdict {
+            RayVerdict::Miss => {
                 self.left += 1;
                 self.left_power += path.power;
             }
-            Outcome::CutOff => {
+            RayVerdict::CutOff => {
                 self.cut_off += 1;
                 self.cut_off_power += path.power;
             }
-            Outcome::Absorbed => self.absorbed += 1,
+            RayVerdict::Absorbed => self.absorbed += 1,
             _ => {}
         }
     }
@@ -348,15 +348,15 @@ impl Counts {
         match event {
             Event::BoundTest(test) => {
                 search.in_vain += u64::from(std::mem::take(&mut self.in_vain));
-                let met = test.outcome == BoundOutcome::Hit;
+                let met = test.verdict == BoundVerdict::Hit;
                 search.bounds.add(met);
                 self.in_vain = met && matches!(test.of, Bounded::Object(_));
             }
             Event::SlabTest(_) => search.slabs += 1,
-            Event::Node(visit) => match visit.outcome {
-                NodeOutcome::Entered => search.entered += 1,
-                NodeOutcome::Rejected => search.rejected += 1,
-                NodeOutcome::Pruned => search.pruned += 1,
+            Event::Node(visit) => match visit.verdict {
+                NodeVerdict::Entered => search.entered += 1,
+                NodeVerdict::Rejected => search.rejected += 1,
+                NodeVerdict::Pruned => search.pruned += 1,
             },
             Event::Queue(step) => {
                 search.pushed += u64::from(step.action == QueueAction::Push);
@@ -376,16 +376,16 @@ impl Counts {
             return;
         };
         if purpose == Purpose::Light {
-            self.light.leg_ended(end.outcome);
+            self.light.leg_ended(end.verdict);
         }
         let count = &mut self.rays[purpose as usize];
-        match end.outcome {
-            Outcome::DepthLimit => count.beyond_depth += 1,
-            Outcome::Hit | Outcome::Blocked | Outcome::Absorbed | Outcome::CutOff => {
+        match end.verdict {
+            RayVerdict::DepthLimit => count.beyond_depth += 1,
+            RayVerdict::Hit | RayVerdict::Blocked | RayVerdict::Absorbed | RayVerdict::CutOff => {
                 count.traced += 1;
                 count.hits += 1;
             }
-            Outcome::Miss | Outcome::ReachesLight | Outcome::Connects => count.traced += 1,
+            RayVerdict::Miss | RayVerdict::ReachesLight | RayVerdict::Connects => count.traced += 1,
         }
     }
 }

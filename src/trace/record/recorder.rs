@@ -307,7 +307,7 @@ impl<S: Sink> Recorder for Recording<S> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::geometry::{Fate, QuadraticTest, Root, Roots};
+    use crate::geometry::{QuadraticTest, Root, RootVerdict, Roots};
     use crate::scene::PrimitiveId;
     use crate::trace::{PixelSample, RayEnd, RayStart};
 
@@ -323,7 +323,7 @@ mod tests {
         let roots = if hit {
             Roots::Graze(Root {
                 t: 1.0,
-                fate: Fate::Chosen,
+                verdict: RootVerdict::Chosen,
             })
         } else {
             Roots::None

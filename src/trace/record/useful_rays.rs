@@ -11,7 +11,7 @@ use std::collections::HashMap;
 
 use glam::DVec3;
 
-use crate::trace::{Event, Outcome, Purpose, Recorder};
+use crate::trace::{Event, Purpose, RayVerdict, Recorder};
 
 /// How many rays were cast, and how many of them contributed.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -59,9 +59,9 @@ impl UsefulRays {
         *known = legs.max(*known);
     }
 
-    fn ended(&mut self, outcome: Outcome, colour: Option<DVec3>) {
+    fn ended(&mut self, verdict: RayVerdict, colour: Option<DVec3>) {
         let purpose = self.open.pop();
-        if outcome == Outcome::DepthLimit {
+        if verdict == RayVerdict::DepthLimit {
             return;
         }
         self.cast += 1;
@@ -90,7 +90,7 @@ impl Recorder for UsefulRays {
                     *legs += 1;
                 }
             }
-            Event::RayEnd(end) => self.ended(end.outcome, end.colour),
+            Event::RayEnd(end) => self.ended(end.verdict, end.colour),
             Event::LightTerm(light) => {
                 let adds = light.term.diffuse + light.term.specular != DVec3::ZERO;
                 let by_ray = light.visibility == crate::trace::Visibility::Visible;
@@ -136,7 +136,7 @@ mod tests {
 
     fn end(colour: Option<DVec3>) -> Event {
         Event::RayEnd(RayEnd {
-            outcome: Outcome::Hit,
+            verdict: RayVerdict::Hit,
             colour,
             ..RayEnd::default()
         })

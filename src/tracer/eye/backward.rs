@@ -12,7 +12,7 @@ use glam::DVec3;
 
 use crate::geometry::{Ray, TRange, reflect};
 use crate::strategy::Strategy;
-use crate::trace::{Event, Outcome, Purpose, RayEnd, RayStart, Recorder, Shade};
+use crate::trace::{Event, Purpose, RayEnd, RayStart, RayVerdict, Recorder, Shade};
 use crate::tracer::surface::Surface;
 use crate::tracer::tracer::Tracer;
 
@@ -39,7 +39,7 @@ impl<S: Strategy> Tracer<'_, S> {
         };
         recorder.note(|| {
             Event::RayEnd(RayEnd {
-                outcome: hit.map_or(Outcome::Miss, |_| Outcome::Hit),
+                verdict: hit.map_or(RayVerdict::Miss, |_| RayVerdict::Hit),
                 object: hit.map(|hit| hit.object),
                 t: hit.map(|hit| hit.t),
                 colour: Some(colour),
@@ -123,7 +123,7 @@ impl<S: Strategy> Tracer<'_, S> {
         recorder.note(|| Event::Ray(start));
         recorder.note(|| {
             Event::RayEnd(RayEnd {
-                outcome: Outcome::DepthLimit,
+                verdict: RayVerdict::DepthLimit,
                 colour: Some(DVec3::ZERO),
                 ..RayEnd::default()
             })
@@ -216,15 +216,15 @@ mod tests {
         // the fourth is noted and not traced
         assert_eq!(depths.collect::<Vec<_>>(), [1, 2, 3, 4]);
         let ends = records.iter().filter_map(|record| match &record.event {
-            Event::RayEnd(end) => Some((end.outcome, end.t, end.colour)),
+            Event::RayEnd(end) => Some((end.verdict, end.t, end.colour)),
             _ => None,
         });
         let grey = |light| Some(DVec3::splat(light));
         let expected = [
-            (Outcome::DepthLimit, None, grey(0.0)),
-            (Outcome::Hit, Some(10.0), grey(1.0)),
-            (Outcome::Hit, Some(10.0), grey(1.5)),
-            (Outcome::Hit, Some(5.0), grey(1.75)),
+            (RayVerdict::DepthLimit, None, grey(0.0)),
+            (RayVerdict::Hit, Some(10.0), grey(1.0)),
+            (RayVerdict::Hit, Some(10.0), grey(1.5)),
+            (RayVerdict::Hit, Some(5.0), grey(1.75)),
         ];
         assert_eq!(ends.collect::<Vec<_>>(), expected);
     }

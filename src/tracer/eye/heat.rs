@@ -1,6 +1,6 @@
 //! What each pixel cost: the counts of its eye rays, for a heat map.
 
-use crate::trace::{Event, NodeOutcome, Outcome, Purpose, Recorder, Through};
+use crate::trace::{Event, NodeVerdict, Purpose, RayVerdict, Recorder, Through};
 
 /// What one eye ray cost, with all rays that were sent on from where it led.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -78,13 +78,13 @@ impl Recorder for HeatLine {
             Event::RayEnd(end) => {
                 let depth = self.open.pop().unwrap_or_default();
                 // beyond the limit it was not traced
-                if end.outcome != Outcome::DepthLimit {
+                if end.verdict != RayVerdict::DepthLimit {
                     heat.depth = heat.depth.max(depth);
                 }
             }
             Event::BoundTest(_) => heat.nodes += 1,
             Event::Node(visit) => {
-                heat.nodes += u64::from(visit.outcome == NodeOutcome::Entered);
+                heat.nodes += u64::from(visit.verdict == NodeVerdict::Entered);
             }
             Event::Cell(_) => heat.cells += 1,
             _ => heat.tests += u64::from(event.object_tested().0),

@@ -8,7 +8,9 @@ use glam::DVec3;
 use crate::geometry::{Ray, TRange};
 use crate::scene::Light;
 use crate::strategy::Strategy;
-use crate::trace::{Event, LightTerm, Outcome, Purpose, RayStart, Recorder, Transport, Visibility};
+use crate::trace::{
+    Event, LightTerm, Purpose, RayStart, RayVerdict, Recorder, Transport, Visibility,
+};
 use crate::tracer::epsilon::EPSILON;
 use crate::tracer::surface::Surface;
 use crate::tracer::tracer::Tracer;
@@ -80,7 +82,7 @@ impl<S: Strategy> Tracer<'_, S> {
             window_t: None,
             light: Some(light),
         };
-        let is_clear = self.is_clear(start, Outcome::ReachesLight, recorder)?;
+        let is_clear = self.is_clear(start, RayVerdict::ReachesLight, recorder)?;
         ControlFlow::Continue(!is_clear)
     }
 }
@@ -189,8 +191,8 @@ mod tests {
         // the ball's center lies 2.5 along the ray
         let end = end.unwrap();
         assert_eq!(
-            (end.outcome, end.object.map(|id| id.0)),
-            (Outcome::Blocked, Some(1))
+            (end.verdict, end.object.map(|id| id.0)),
+            (RayVerdict::Blocked, Some(1))
         );
         assert!((end.t.unwrap() - 2.0).abs() <= 1e-14);
         let visibility = records.iter().find_map(|record| match &record.event {

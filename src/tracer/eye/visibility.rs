@@ -3,7 +3,7 @@
 use std::ops::ControlFlow;
 
 use crate::strategy::Strategy;
-use crate::trace::{Event, Outcome, RayEnd, RayStart, Recorder};
+use crate::trace::{Event, RayEnd, RayStart, RayVerdict, Recorder};
 use crate::tracer::tracer::Tracer;
 
 impl<S: Strategy> Tracer<'_, S> {
@@ -11,7 +11,7 @@ impl<S: Strategy> Tracer<'_, S> {
     pub(in crate::tracer) fn is_clear<R: Recorder>(
         &self,
         start: RayStart,
-        arrives: Outcome,
+        arrives: RayVerdict,
         recorder: &mut R,
     ) -> ControlFlow<(), bool> {
         recorder.next_ray()?;
@@ -19,7 +19,7 @@ impl<S: Strategy> Tracer<'_, S> {
         let hit = self.strategy.any(&start.ray, start.range, recorder);
         recorder.note(|| {
             Event::RayEnd(RayEnd {
-                outcome: hit.map_or(arrives, |_| Outcome::Blocked),
+                verdict: hit.map_or(arrives, |_| RayVerdict::Blocked),
                 object: hit.map(|hit| hit.object),
                 t: hit.map(|hit| hit.t),
                 ..RayEnd::default()

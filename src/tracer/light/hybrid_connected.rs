@@ -18,7 +18,7 @@ use crate::geometry::{Ray, TRange};
 use crate::scene::{Camera, WindowCrossing};
 use crate::strategy::Strategy;
 use crate::trace::{
-    Connection, Event, Off, Outcome, PixelSample, Purpose, RayStart, Recorder, geometry_term,
+    Connection, Event, Off, PixelSample, Purpose, RayStart, RayVerdict, Recorder, geometry_term,
 };
 use crate::tracer::epsilon::EPSILON;
 use crate::tracer::eye::backward::eye_ray_start;
@@ -188,7 +188,7 @@ impl<S: Strategy> Tracer<'_, S> {
             window_t: None,
             light: None,
         };
-        self.is_clear(start, Outcome::Connects, recorder)
+        self.is_clear(start, RayVerdict::Connects, recorder)
     }
 }
 

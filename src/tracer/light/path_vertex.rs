@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use glam::DVec3;
 
-use crate::trace::{PhotonFate, Recorder};
+use crate::trace::{PhotonVerdict, Recorder};
 use crate::tracer::light::walk::Watcher;
 use crate::tracer::surface::Surface;
 
@@ -73,9 +73,10 @@ impl Watcher for Vertices {
         });
     }
 
-    fn goes_on(&mut self, fate: PhotonFate) {
+    fn goes_on(&mut self, verdict: PhotonVerdict) {
         if let Some(last) = self.0.last_mut() {
-            last.is_specular = matches!(fate, PhotonFate::Mirrored | PhotonFate::Refracted);
+            last.is_specular =
+                matches!(verdict, PhotonVerdict::Mirrored | PhotonVerdict::Refracted);
         }
     }
 }
@@ -112,14 +113,14 @@ mod tests {
     #[test]
     fn a_vertex_is_specular_if_the_path_goes_on_by_a_mirror_or_through_glass() {
         let mut vertices = Vertices(vec![Vertex::end(DVec3::X, DVec3::ONE)]);
-        for (fate, is_specular) in [
-            (PhotonFate::Mirrored, true),
-            (PhotonFate::Diffused, false),
-            (PhotonFate::Refracted, true),
-            (PhotonFate::Absorbed, false),
+        for (verdict, is_specular) in [
+            (PhotonVerdict::Mirrored, true),
+            (PhotonVerdict::Diffused, false),
+            (PhotonVerdict::Refracted, true),
+            (PhotonVerdict::Absorbed, false),
         ] {
-            vertices.goes_on(fate);
-            assert_eq!(vertices.0[0].is_specular, is_specular, "{fate:?}");
+            vertices.goes_on(verdict);
+            assert_eq!(vertices.0[0].is_specular, is_specular, "{verdict:?}");
         }
     }
 }

@@ -7,7 +7,7 @@ use glam::DVec3;
 
 use crate::geometry::{Ray, reflect};
 use crate::strategy::{Hit, Strategy};
-use crate::trace::{Event, Outcome, Photon, PhotonFate, Purpose, RayEnd, RayStart, Recorder};
+use crate::trace::{Event, Photon, PhotonVerdict, Purpose, RayEnd, RayStart, RayVerdict, Recorder};
 use crate::tracer::light::chance::Chance;
 use crate::tracer::surface::Surface;
 use crate::tracer::tracer::Tracer;
@@ -43,8 +43,8 @@ pub(in crate::tracer) trait Watcher {
     }
 
     /// Chance has decided how the path goes on from there.
-    fn goes_on(&mut self, fate: PhotonFate) {
-        let _ = fate;
+    fn goes_on(&mut self, verdict: PhotonVerdict) {
+        let _ = verdict;
     }
 }
 
@@ -78,38 +78,38 @@ impl<S: Strategy> Tracer<'_, S> {
             };
             watcher.leg(&leg, recorder);
             let Some(hit) = hit else {
-                note_end(Outcome::Miss, None, recorder);
+                note_end(RayVerdict::Miss, None, recorder);
                 break;
             };
             if surfaces == most {
-                note_end(Outcome::CutOff, Some(hit), recorder);
+                note_end(RayVerdict::CutOff, Some(hit), recorder);
                 break;
             }
 
             let surface = self.surface(&start, hit);
             watcher.met(&surface, surfaces + 1, power, recorder);
             let (photon, refracted) = bounce(&surface, power, chance, recorder);
-            let ends = photon.fate == PhotonFate::Absorbed;
-            let outcome = if ends {
-                Outcome::Absorbed
+            let ends = photon.verdict == PhotonVerdict::Absorbed;
+            let verdict = if ends {
+                RayVerdict::Absorbed
             } else {
-                Outcome::Hit
+                RayVerdict::Hit
             };
-            note_end(outcome, Some(hit), recorder);
-            watcher.goes_on(photon.fate);
+            note_end(verdict, Some(hit), recorder);
+            watcher.goes_on(photon.verdict);
 
             power = photon.leaving();
-            let (direction, purpose) = match photon.fate {
-                PhotonFate::Absorbed => break,
-                PhotonFate::Diffused => {
+            let (direction, purpose) = match photon.verdict {
+                PhotonVerdict::Absorbed => break,
+                PhotonVerdict::Diffused => {
                     is_scattered = true;
                     (chance.around(surface.across), Purpose::Scattered)
                 }
-                PhotonFate::Mirrored => {
+                PhotonVerdict::Mirrored => {
                     let mirrored = reflect(surface.incoming, surface.across);
                     (mirrored, Purpose::Reflected)
                 }
-                PhotonFate::Refracted => {
+                PhotonVerdict::Refracted => {
                     // what a photon carries is power; what is seen along a ray from the eye is radiance
                     if start.purpose != Purpose::Light {
                         power *= refracted.factor;
@@ -151,7 +151,7 @@ fn bounce<R: Recorder>(
         reflection: material.reflection,
         transmission: material.transmission,
         diffuse: surface.albedo(),
-        fate: PhotonFate::Diffused,
+        verdict: PhotonVerdict::Diffused,
     };
     let mut behind = Refracted::default();
     if 0.0 < photon.transmission {
@@ -168,20 +168,20 @@ fn bounce<R: Recorder>(
         }
     }
     if photon.chance < photon.reflection {
-        photon.fate = PhotonFate::Mirrored;
+        photon.verdict = PhotonVerdict::Mirrored;
     } else if photon.chance < photon.reflection + photon.transmission {
-        photon.fate = PhotonFate::Refracted;
+        photon.verdict = PhotonVerdict::Refracted;
     } else if photon.leaving() == DVec3::ZERO {
-        photon.fate = PhotonFate::Absorbed;
+        photon.verdict = PhotonVerdict::Absorbed;
     }
     recorder.note(|| Event::Photon(photon));
     (photon, behind)
 }
 
-fn note_end<R: Recorder>(outcome: Outcome, hit: Option<Hit>, recorder: &mut R) {
+fn note_end<R: Recorder>(verdict: RayVerdict, hit: Option<Hit>, recorder: &mut R) {
     recorder.note(|| {
         Event::RayEnd(RayEnd {
-            outcome,
+            verdict,
             object: hit.map(|hit| hit.object),
             t: hit.map(|hit| hit.t),
             ..RayEnd::default()
@@ -203,7 +203,7 @@ mod tests {
     struct Seen {
         legs: Vec<Leg>,
         met: Vec<(u32, DVec3)>,
-        fates: Vec<PhotonFate>,
+        verdicts: Vec<PhotonVerdict>,
     }
 
     impl Watcher for Seen {
@@ -215,8 +215,8 @@ mod tests {
             self.met.push((number, power));
         }
 
-        fn goes_on(&mut self, fate: PhotonFate) {
-            self.fates.push(fate);
+        fn goes_on(&mut self, verdict: PhotonVerdict) {
+            self.verdicts.push(verdict);
         }
     }
 
@@ -255,9 +255,9 @@ mod tests {
         )
     }
 
-    fn outcomes(events: &[Event]) -> Vec<Outcome> {
+    fn verdicts(events: &[Event]) -> Vec<RayVerdict> {
         let ends = events.iter().filter_map(|event| match event {
-            Event::RayEnd(end) => Some(end.outcome),
+            Event::RayEnd(end) => Some(end.verdict),
             _ => None,
         });
         ends.collect()
@@ -280,7 +280,7 @@ mod tests {
     fn a_mirror_sends_all_on_in_the_mirror_direction_and_scatters_nothing() {
         let (seen, events) = walked(&scene(MIRROR, None), Purpose::Eye, 9);
         let [first, second] = seen.legs[..] else {
-            panic!("{:?}", outcomes(&events));
+            panic!("{:?}", verdicts(&events));
         };
         assert!((first.end - 6.25).abs() <= 1e-14 && second.end == f64::INFINITY);
         assert!((second.ray.direction - DVec3::new(0.6, 0.0, 0.8)).length() <= 1e-15);
@@ -290,8 +290,8 @@ mod tests {
         );
         assert!(!first.is_scattered && !second.is_scattered);
         assert_eq!(seen.met, [(1, DVec3::splat(8.0))]);
-        assert_eq!(seen.fates, [PhotonFate::Mirrored]);
-        assert_eq!(outcomes(&events), [Outcome::Hit, Outcome::Miss]);
+        assert_eq!(seen.verdicts, [PhotonVerdict::Mirrored]);
+        assert_eq!(verdicts(&events), [RayVerdict::Hit, RayVerdict::Miss]);
         assert_eq!(purposes(&events), [Purpose::Eye, Purpose::Reflected]);
         // what lets nothing through bends nothing
         let bends = |event: &Event| matches!(event, Event::Refraction(_));
@@ -305,7 +305,7 @@ mod tests {
     fn a_white_wall_scatters_all_to_its_own_side_and_a_black_one_ends_the_path() {
         let (seen, events) = walked(&scene(WHITE, None), Purpose::Eye, 9);
         let [first, second] = seen.legs[..] else {
-            panic!("{:?}", outcomes(&events));
+            panic!("{:?}", verdicts(&events));
         };
         assert!(!first.is_scattered && second.is_scattered);
         assert!(0.0 < second.ray.direction.z);
@@ -313,8 +313,8 @@ mod tests {
         assert_eq!(purposes(&events), [Purpose::Eye, Purpose::Scattered]);
         let (seen, events) = walked(&scene(BLACK, None), Purpose::Eye, 9);
         assert_eq!((seen.legs.len(), seen.met.len()), (1, 1));
-        assert_eq!(seen.fates, [PhotonFate::Absorbed]);
-        assert_eq!(outcomes(&events), [Outcome::Absorbed]);
+        assert_eq!(seen.verdicts, [PhotonVerdict::Absorbed]);
+        assert_eq!(verdicts(&events), [RayVerdict::Absorbed]);
     }
 
     #[test]
@@ -326,7 +326,7 @@ mod tests {
             assert_eq!(second.power, DVec3::splat(power));
             assert!((second.ray.direction.x - 0.3).abs() <= 1e-15);
             assert!(second.ray.direction.z < 0.0 && !second.is_scattered);
-            assert_eq!(seen.fates, [PhotonFate::Refracted]);
+            assert_eq!(seen.verdicts, [PhotonVerdict::Refracted]);
         }
     }
 
@@ -344,7 +344,7 @@ mod tests {
             object("pane", "glass", &polygon(&pane))
         ));
         let (seen, events) = walked(&scene, Purpose::Eye, 9);
-        assert_eq!(seen.fates, [PhotonFate::Mirrored]);
+        assert_eq!(seen.verdicts, [PhotonVerdict::Mirrored]);
         assert!((seen.legs[1].ray.direction - DVec3::new(0.6, 0.0, 0.8)).length() <= 1e-15);
         let photon = events.iter().find_map(|event| match event {
             Event::Photon(photon) => Some((photon.reflection, photon.transmission)),
@@ -361,7 +361,7 @@ mod tests {
             assert_eq!(seen.legs.len(), most as usize + 1);
             let numbers: Vec<_> = seen.met.iter().map(|met| met.0).collect();
             assert!(numbers.into_iter().eq(1..=most));
-            assert_eq!(outcomes(&events).last(), Some(&Outcome::CutOff));
+            assert_eq!(verdicts(&events).last(), Some(&RayVerdict::CutOff));
         }
     }
 
@@ -384,14 +384,15 @@ mod tests {
         let (mut counts, mut both) = ([0_u32; 4], 0_u32);
         for _ in 0..COUNT {
             let (photon, _) = bounce(&surface, DVec3::ONE, &mut chance, &mut crate::trace::Off);
-            let fate = match photon.fate {
-                PhotonFate::Mirrored => 0,
-                PhotonFate::Refracted => 1,
-                PhotonFate::Diffused => 2,
-                PhotonFate::Absorbed => 3,
+            let verdict = match photon.verdict {
+                PhotonVerdict::Mirrored => 0,
+                PhotonVerdict::Refracted => 1,
+                PhotonVerdict::Diffused => 2,
+                PhotonVerdict::Absorbed => 3,
             };
-            counts[fate] += 1;
-            both += u32::from(photon.fate == PhotonFate::Diffused && photon.leaving().y == 1.0);
+            counts[verdict] += 1;
+            both +=
+                u32::from(photon.verdict == PhotonVerdict::Diffused && photon.leaving().y == 1.0);
             assert_eq!(photon.diffuse, DVec3::new(0.3, 0.15, 0.0));
         }
         let [mirrored, refracted, scattered, absorbed] = counts;

@@ -8,9 +8,9 @@ use std::io::{self, BufWriter, Write};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use raystep::{
-    Axis, DecidedBy, EdgeTest, Event, Fate, LightTerm, Nearest, Outcome, PixelColour, PixelSample,
-    PlaneTest, PlaneVerdict, PolygonTest, PrimitiveId, Purpose, QuadraticTest, RayEnd, RayStart,
-    Record, Refraction, Root, Roots, Scene, Shade, Visibility,
+    Axis, DecidedBy, EdgeTest, Event, LightTerm, Nearest, PixelColour, PixelSample, PlaneTest,
+    PlaneVerdict, PolygonTest, PrimitiveId, Purpose, QuadraticTest, RayEnd, RayStart, RayVerdict,
+    Record, Refraction, Root, RootVerdict, Roots, Scene, Shade, Visibility,
 };
 use tracing::{Dispatch, info};
 use tracing_subscriber::fmt::{MakeWriter, Subscriber};
@@ -136,7 +136,7 @@ fn write(record: &Record, scene: &Scene) {
         ),
         Event::Ray(start) => ray(record, start, scene),
         Event::RayEnd(RayEnd {
-            outcome,
+            verdict,
             object,
             t,
             colour,
@@ -146,7 +146,7 @@ fn write(record: &Record, scene: &Scene) {
             let (object, face) = object.map(name).unzip();
             line!(
                 record,
-                outcome = outcome_word(*outcome),
+                outcome = verdict_word(*verdict),
                 object,
                 face = face.flatten(),
                 t,
@@ -235,9 +235,9 @@ fn quadratic(record: &Record, (object, face): (&str, Option<u32>), test: &Quadra
         discriminant = test.discriminant,
         roots,
         near = near.map(|root| root.t),
-        near_fate = near.map(fate_word),
+        near_verdict = near.map(root_verdict_word),
         far = far.map(|root| root.t),
-        far_fate = far.map(fate_word),
+        far_verdict = far.map(root_verdict_word),
         t = test.roots.chosen(),
     );
 }
@@ -260,7 +260,7 @@ fn plane(record: &Record, (object, face): (&str, Option<u32>), test: &PlaneTest)
         denominator = test.denominator,
         parallel,
         root = root.map(|root| root.t),
-        fate = root.map(fate_word),
+        root_verdict = root.map(root_verdict_word),
         t = test.chosen(),
     );
 }
@@ -344,15 +344,15 @@ fn shade(record: &Record, shade: &Shade, (object, face): (&str, Option<u32>)) {
     );
 }
 
-fn fate_word(root: Root) -> &'static str {
-    match root.fate {
-        Fate::Chosen => "chosen",
-        Fate::Behind => "behind",
-        Fate::BelowEpsilon => "below_epsilon",
-        Fate::BeyondNearest => "beyond_nearest",
-        Fate::BackFace => "back_face",
-        Fate::FrontFace => "front_face",
-        Fate::BeyondEnds => "beyond_ends",
+fn root_verdict_word(root: Root) -> &'static str {
+    match root.verdict {
+        RootVerdict::Chosen => "chosen",
+        RootVerdict::Behind => "behind",
+        RootVerdict::BelowEpsilon => "below_epsilon",
+        RootVerdict::BeyondNearest => "beyond_nearest",
+        RootVerdict::BackFace => "back_face",
+        RootVerdict::FrontFace => "front_face",
+        RootVerdict::BeyondEnds => "beyond_ends",
     }
 }
 
@@ -368,16 +368,16 @@ fn purpose_word(purpose: Purpose) -> &'static str {
     }
 }
 
-fn outcome_word(outcome: Outcome) -> &'static str {
-    match outcome {
-        Outcome::Hit => "hit",
-        Outcome::Miss => "miss",
-        Outcome::Blocked => "blocked",
-        Outcome::ReachesLight => "reaches_light",
-        Outcome::DepthLimit => "depth_limit",
-        Outcome::Absorbed => "absorbed",
-        Outcome::CutOff => "cut_off",
-        Outcome::Connects => "connects",
+fn verdict_word(verdict: RayVerdict) -> &'static str {
+    match verdict {
+        RayVerdict::Hit => "hit",
+        RayVerdict::Miss => "miss",
+        RayVerdict::Blocked => "blocked",
+        RayVerdict::ReachesLight => "reaches_light",
+        RayVerdict::DepthLimit => "depth_limit",
+        RayVerdict::Absorbed => "absorbed",
+        RayVerdict::CutOff => "cut_off",
+        RayVerdict::Connects => "connects",
     }
 }
 

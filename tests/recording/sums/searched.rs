@@ -1,7 +1,7 @@
 //! What the search for the objects to test must come to, counted from its events.
 
 use raystep::{
-    BoundOutcome, Bounded, Counts, Event, NodeOutcome, Outcome, QueueAction, RayEnd, Scene,
+    BoundVerdict, Bounded, Counts, Event, NodeVerdict, QueueAction, RayEnd, RayVerdict, Scene,
     StrategyName,
 };
 
@@ -47,16 +47,16 @@ impl Searched {
         match event {
             Event::BoundTest(test) => {
                 self.in_vain += u64::from(std::mem::take(&mut self.waits));
-                self.bounds[test.outcome as usize] += 1;
-                if let (BoundOutcome::Hit, Bounded::Object(object)) = (test.outcome, test.of) {
+                self.bounds[test.verdict as usize] += 1;
+                if let (BoundVerdict::Hit, Bounded::Object(object)) = (test.verdict, test.of) {
                     self.bounded.push(object);
                     self.waits = true;
                 }
             }
             Event::SlabTest(_) => self.slabs += 1,
             Event::Node(visit) => {
-                self.nodes[visit.outcome as usize] += 1;
-                if visit.outcome == NodeOutcome::Entered {
+                self.nodes[visit.verdict as usize] += 1;
+                if visit.verdict == NodeVerdict::Entered {
                     self.in_leaves += u64::from(visit.objects);
                 }
             }
@@ -124,7 +124,7 @@ impl Searched {
         assert_eq!(self.tests, u64::from(end.tests), "{self:?}");
         assert_eq!(self.hits, u64::from(end.hits), "{self:?}");
         // a shadow ray that is blocked ends in the middle of its search
-        let whole = end.outcome != Outcome::Blocked;
+        let whole = end.verdict != RayVerdict::Blocked;
         let objects = scene.primitives.len() as u64;
         match strategy {
             StrategyName::Exhaustive => self.all(objects, whole),

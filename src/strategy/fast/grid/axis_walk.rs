@@ -78,6 +78,7 @@ impl<'g> AxisWalk<'g> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::geometry::AxisBox;
     use crate::strategy::fast::grid::one_way::Ways;
     use crate::structure::CellPlanes;
     use glam::DVec3;
@@ -85,7 +86,7 @@ mod tests {
     /// Three cells along y, from 1 to 7, of a grid with 10 along x.
     fn ways() -> Ways {
         let (min, max) = (DVec3::new(0.0, 1.0, 0.0), DVec3::new(10.0, 7.0, 1.0));
-        Ways::new(&CellPlanes::new(min, max, [10, 3, 1]))
+        Ways::new(&CellPlanes::new(&AxisBox { min, max }, [10, 3, 1]))
     }
 
     #[test]

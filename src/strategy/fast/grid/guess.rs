@@ -2,9 +2,8 @@
 
 use glam::DVec3;
 
-use crate::geometry::{Ray, TRange};
+use crate::geometry::{Ray, TRange, larger, smaller};
 use crate::strategy::fast::grid::one_way::OneWay;
-use crate::structure::extremes::{larger, smaller};
 use crate::structure::just_after;
 
 /// The first cell that a ray pierces in its range.
@@ -30,7 +29,8 @@ pub(super) enum Guess {
 /// About which cell the ray pierces first. `inverse` is 1/Δ, with all its digits along each axis.
 ///
 /// The grid is a box: the ray comes into it at t₀, the largest near of its three slabs, if that is before the smallest
-/// far. Along each axis (x₀ + t₀·Δx − from) times the cells for a unit of length says in which cell it is then.
+/// far, as [`AxisBox::inside`](crate::geometry::AxisBox::inside) has it; with 1/Δ at hand and the planes in the ray's order it
+/// stands apart for speed. Along each axis (x₀ + t₀·Δx − from) times the cells for a unit of length says in which cell it is then.
 #[inline]
 pub(super) fn guess(ways: [&OneWay; 3], ray: &Ray, inverse: DVec3, range: TRange) -> Guess {
     let [x, y, z] = ways;
@@ -66,13 +66,14 @@ pub(super) fn guess(ways: [&OneWay; 3], ray: &Ray, inverse: DVec3, range: TRange
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::geometry::AxisBox;
     use crate::strategy::fast::grid::one_way::Ways;
     use crate::structure::CellPlanes;
 
     /// 4 × 2 × 3 cells from (1, 2, 3) to (5, 4, 9).
     fn guess_of(origin: [f64; 3], direction: [f64; 3], range: TRange) -> Guess {
         let (min, max) = (DVec3::new(1.0, 2.0, 3.0), DVec3::new(5.0, 4.0, 9.0));
-        let ways = Ways::new(&CellPlanes::new(min, max, [4, 2, 3]));
+        let ways = Ways::new(&CellPlanes::new(&AxisBox { min, max }, [4, 2, 3]));
         let ray = Ray::new(origin.into(), direction.into());
         guess(ways.of(ray.direction), &ray, 1.0 / ray.direction, range)
     }

@@ -149,6 +149,7 @@ impl OneWay {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::geometry::AxisBox;
 
     /// Three cells along y of a grid with 10 along x.
     fn ways() -> [OneWay; 2] {
@@ -203,7 +204,10 @@ mod tests {
 
     #[test]
     fn a_ray_takes_the_way_of_its_sign_along_each_axis() {
-        let cells = CellPlanes::new(DVec3::ZERO, DVec3::new(2.0, 4.0, 6.0), [1, 2, 3]);
+        let cells = CellPlanes::new(
+            &AxisBox::around([DVec3::ZERO, DVec3::new(2.0, 4.0, 6.0)]),
+            [1, 2, 3],
+        );
         let ways = Ways::new(&cells);
         let from = |direction: DVec3| ways.of(direction).map(|way| (way.from, way.to));
         let found = from(DVec3::new(1.0, -1.0, 0.0));

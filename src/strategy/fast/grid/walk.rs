@@ -7,11 +7,10 @@
 
 use glam::DVec3;
 
-use crate::geometry::{Ray, TRange};
+use crate::geometry::{Ray, TRange, larger, smaller};
 use crate::strategy::fast::grid::axis_walk::AxisWalk;
 use crate::strategy::fast::grid::guess::{Guess, Start, guess};
 use crate::strategy::fast::grid::one_way::{OneWay, Ways};
-use crate::structure::extremes::{larger, smaller};
 use crate::structure::{CellPlanes, Meeting, just_after, start};
 
 /// A walk through a grid.
@@ -236,6 +235,7 @@ fn usable_inverse(direction: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::geometry::AxisBox;
     use crate::structure::{Across, CellStep, GridWalk};
 
     /// The cells that both walks visit, one by one, and t at which the ray leaves each.
@@ -272,7 +272,7 @@ mod tests {
         for case in 0..60_000_u32 {
             let resolution = [1 + case % 7, 1 + case % 5, 1 + case % 3];
             let (min, max) = (DVec3::splat(-1.0), DVec3::new(3.0, 2.0, 1.0));
-            let cells = CellPlanes::new(min, max, resolution);
+            let cells = CellPlanes::new(&AxisBox { min, max }, resolution);
             let ways = Ways::new(&cells);
             let mut point = |size: f64| size * DVec3::new(number(), number(), number());
             let (mut origin, mut direction) = (point(4.0), point(1.0));
@@ -324,8 +324,10 @@ mod tests {
         let mut steps = 0;
         for case in 0..20_000_u32 {
             let cells = CellPlanes::new(
-                DVec3::new(-1.1, -0.9, -1.3),
-                DVec3::new(3.0, 2.1, 1.0),
+                &AxisBox {
+                    min: DVec3::new(-1.1, -0.9, -1.3),
+                    max: DVec3::new(3.0, 2.1, 1.0),
+                },
                 [2 + case % 7, 2 + case % 5, 2 + case % 3],
             );
             let ways = Ways::new(&cells);
