@@ -120,8 +120,9 @@ pub use trace::{
 #[cfg(feature = "schema")]
 pub use trace::{scene_schema, trace_schema};
 pub use tracer::{
-    EPSILON, Heat, HeatLine, HeatOf, LightError, LightPass, LightSetting, LogOptions, LogStopped,
-    LoggedPaths, MAX_RAYS, MOST_SURFACES, Picture, Stopped, StoredLight, StoredPhoton, Surface,
-    Tracer, check_light, eye_samples, heat_values, paths_behind, render, simple, start_epsilon,
-    trace_pixel, write_log,
+    ChosenTracer, EPSILON, Heat, HeatLine, HeatOf, LightError, LightPass, LightSetting, LogOptions,
+    LogStopped, LoggedPaths, MAX_RAYS, MOST_SURFACES, Picture, Stopped, StoredLight, StoredPhoton,
+    Surface, Tracer, check_light, check_light_of, eye_samples, follow_light, heat_values,
+    paths_behind, paths_behind_region, record_log, record_pixel, render, render_heat,
+    render_picture, simple, start_epsilon, trace_pixel, write_log,
 };

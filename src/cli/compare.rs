@@ -3,8 +3,8 @@
 use std::time::Instant;
 
 use raystep::{
-    Exhaustive, Loaded, NotCompared, Transport, check_light, compare, compare_transports,
-    cost_chart, light_of_lamps, scan_lines_to_compare,
+    Loaded, NotCompared, Transport, check_light_of, compare, compare_transports, cost_chart,
+    light_of_lamps, scan_lines_to_compare,
 };
 
 use crate::cli::Error;
@@ -53,8 +53,8 @@ pub(crate) fn run(args: &CompareArgs) -> Result<(), Error> {
     };
 
     let settings = &ready.settings;
-    let strategy = Exhaustive::new(scene);
-    tell_notes(&args.scene, check_light(scene, &strategy, settings))?;
+    let strategy = ready.strategy()?;
+    tell_notes(&args.scene, check_light_of(scene, &strategy, settings))?;
     let started = Instant::now();
     let clock = || started.elapsed();
     let bar = bar(scan_lines_to_compare(scene, settings, pixel));

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use raystep::{LightError, LightPass, Recorder, Region, Strategy, check_light};
+use raystep::{Chosen, Counts, LightError, LightPass, Region, check_light_of, follow_light};
 
 use crate::cli::Error;
 use crate::cli::input::{self, Ready};
@@ -24,29 +24,26 @@ pub(crate) fn tell_notes(
     Ok(())
 }
 
-/// Follows all paths of light, if the transport follows any, and gives back with them what the recorders heard.
-pub(crate) fn light_pass<S: Strategy, R: Recorder + Default + Send>(
+/// Follows all paths of light, if the transport follows any; `counts` get what was traced for it.
+pub(crate) fn light_pass(
     file: &Path,
     ready: &Ready,
-    strategy: &S,
+    strategy: &Chosen<'_>,
     region: Option<Region>,
     threads: Option<u16>,
-) -> Result<(Option<LightPass>, Vec<R>), Error> {
+    counts: Option<&mut Counts>,
+) -> Result<Option<LightPass>, Error> {
     let (scene, settings) = (&ready.scene, &ready.settings);
     if !settings.transport.follows_light() {
-        return Ok((None, Vec::new()));
+        return Ok(None);
     }
-    let checked = on_threads(threads, || check_light(scene, strategy, settings))?;
+    let checked = on_threads(threads, || check_light_of(scene, strategy, settings))?;
     tell_notes(file, checked)?;
     let bar = bar_of(settings.light_paths(scene.camera.pixels), "paths of light");
-    let mut heard = Vec::new();
+    let done = |paths: u64| bar.set_position(paths);
     let light = on_threads(threads, || {
-        let hear = |recorder| heard.push(recorder);
-        LightPass::new(scene, strategy, settings, region, hear, |paths| {
-            bar.set_position(paths);
-        })
+        follow_light(scene, strategy, settings, region, counts, &done)
     });
     bar.finish_and_clear();
-    let light = light?.map_err(|stopped| ready.stopped(stopped))?;
-    Ok((light, heard))
+    light?.map_err(|stopped| ready.stopped(stopped))
 }

@@ -8,9 +8,8 @@ use std::time::Instant;
 use anstream::{AutoStream, ColorChoice};
 use raystep::explain::render;
 use raystep::{
-    Budget, CrowdedCell, Kind, Kinds, Off, Record, Recorder, Recording, Region, Scene, Settings,
-    Stopped, Strategy, Through, Tracer, Unfold, WorkedOptions, paths_behind, pixel_json,
-    trace_pixel, worked_solution,
+    CrowdedCell, Kind, Kinds, Record, Region, Scene, Settings, Stopped, Tracer, Unfold,
+    WorkedOptions, pixel_json, record_pixel, worked_solution,
 };
 
 use crate::cli::Error;
@@ -100,23 +99,18 @@ fn trace(file: &Path, ready: Ready, pixel: [u32; 2], budget: u64) -> Result<Trac
     let strategy = ready.strategy()?;
     let built = Instant::now();
     let region = Region::pixel(pixel);
-    let (light, _) = light_pass::<_, Off>(file, &ready, &strategy, Some(region), None)?;
+    let light = light_pass(file, &ready, &strategy, Some(region), None, None)?;
     let tracer = Tracer::new(&ready.scene, &strategy, ready.settings.transport)
         .with_light(light.as_ref())
         .with_max_rays(ready.max_rays);
-    let mut recording = Recording::new(Budget {
-        left: budget,
-        sink: Vec::new(),
-    });
-    if ready.settings.building {
-        strategy.note_building(&mut recording);
-    }
-    let traced = trace_into(&mut recording, &tracer, pixel, ready.settings.through);
-    traced.map_err(|stopped| match stopped {
+    let Settings {
+        building, through, ..
+    } = ready.settings;
+    let records = record_pixel(&tracer, pixel, through, building, budget);
+    let records = records.map_err(|stopped| match stopped {
         Stopped::Recorder => Error::Budget { budget },
         Stopped::Rays { .. } => ready.stopped(stopped),
     })?;
-    let records = recording.into_sink().sink;
     let times = Times {
         loading: ready.loading,
         building: built - started,
@@ -132,20 +126,6 @@ fn trace(file: &Path, ready: Ready, pixel: [u32; 2], budget: u64) -> Result<Trac
         settings: ready.settings,
         records,
     })
-}
-
-/// Records the paths of light that led to the pixel, then the pixel.
-fn trace_into<S: Strategy>(
-    recording: &mut impl Recorder,
-    tracer: &Tracer<'_, S>,
-    pixel: [u32; 2],
-    through: Through,
-) -> Result<(), Stopped> {
-    for path in paths_behind(tracer, Region::pixel(pixel), through)? {
-        tracer.trace_path(path, recording)?;
-    }
-    trace_pixel(tracer, pixel, through, recording)?;
-    Ok(())
 }
 
 fn from_log(log: Log, args: &PixelArgs, started: Instant) -> Result<Traced, Error> {

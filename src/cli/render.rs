@@ -4,8 +4,8 @@ use std::io::{self, Write};
 use std::time::Instant;
 
 use raystep::{
-    Chosen, Counts, HeatLine, HeatOf, Off, Picture, Raster, Recorder, Strategy, Through, Tracer,
-    Transport, heat_map, heat_values, render,
+    Chosen, Counts, HeatLine, HeatOf, Picture, Raster, Stopped, Through, Tracer, Transport,
+    heat_map, heat_values, render_heat, render_picture,
 };
 
 use crate::cli::Error;
@@ -80,33 +80,36 @@ fn render_with(
     args: &RenderArgs,
     mut times: Times,
 ) -> Result<(Raster, Option<(Counts, Times)>), Error> {
-    let tracer =
-        Tracer::new(&ready.scene, strategy, ready.settings.transport).with_max_rays(ready.max_rays);
     let started = Instant::now();
-    if args.heatmap.is_none() && args.tracing.stats.is_none() {
-        let (light, _) = light_pass::<_, Off>(&args.scene, ready, strategy, None, args.threads)?;
-        let tracer = tracer.with_light(light.as_ref());
-        let (picture, _) = traced::<_, Off>(&tracer, ready, args)?;
-        return Ok((raster(&picture), None));
-    }
-    let (light, mut counts) =
-        light_pass::<_, Counts>(&args.scene, ready, strategy, None, args.threads)?;
-    let tracer = tracer.with_light(light.as_ref());
-    let raster = match args.heatmap {
-        None => {
-            let (picture, of_lines) = traced::<_, Counts>(&tracer, ready, args)?;
-            counts.extend(of_lines);
-            raster(&picture)
-        }
-        Some(of) => {
-            let (picture, heard) = traced::<_, (HeatLine, Counts)>(&tracer, ready, args)?;
-            let (lines, of_lines): (Vec<_>, Vec<_>) = heard.into_iter().unzip();
-            counts.extend(of_lines);
+    let wanted = args.heatmap.is_some() || args.tracing.stats.is_some();
+    let mut counts = wanted.then(Counts::default);
+    let light = light_pass(
+        &args.scene,
+        ready,
+        strategy,
+        None,
+        args.threads,
+        counts.as_mut(),
+    )?;
+    let tracer = Tracer::new(&ready.scene, strategy, ready.settings.transport)
+        .with_light(light.as_ref())
+        .with_max_rays(ready.max_rays);
+    let through = ready.settings.through;
+    let raster = match (args.heatmap, &mut counts) {
+        (Some(of), Some(counts)) => {
+            let trace = |done: &(dyn Fn(usize) + Sync)| render_heat(&tracer, through, counts, done);
+            let (picture, lines) = traced(ready, args, trace)?;
             heat_raster(&picture, &lines, of, ready)
+        }
+        (_, counts) => {
+            let trace = |done: &(dyn Fn(usize) + Sync)| {
+                render_picture(&tracer, through, counts.as_mut(), done)
+            };
+            raster(&traced(ready, args, trace)?)
         }
     };
     times.tracing = started.elapsed();
-    Ok((raster, Some((stats::sum(&counts), times))))
+    Ok((raster, counts.map(|counts| (counts, times))))
 }
 
 /// The colours of the picture.
@@ -123,17 +126,17 @@ fn heat_raster(picture: &Picture, lines: &[HeatLine], of: HeatOf, ready: &Ready)
     heat_map(picture.pixels, &values, of.title())
 }
 
-fn traced<S: Strategy, R: Recorder + Default + Send>(
-    tracer: &Tracer<'_, S>,
+/// Traces on the threads that are asked for, with a bar of scan lines.
+fn traced<T: Send>(
     ready: &Ready,
     args: &RenderArgs,
-) -> Result<(Picture, Vec<R>), Error> {
-    let through = ready.settings.through;
+    trace: impl FnOnce(&(dyn Fn(usize) + Sync)) -> Result<T, Stopped> + Send,
+) -> Result<T, Error> {
     let rows = u64::from(ready.scene.camera.pixels[1]);
     // through the corners there is one more line of eye rays than of pixels
-    let bar = bar(rows + u64::from(through == Through::Corners));
+    let bar = bar(rows + u64::from(ready.settings.through == Through::Corners));
     let done = |lines: usize| bar.set_position(lines as u64);
-    let traced = on_threads(args.threads, || render(tracer, through, done));
+    let traced = on_threads(args.threads, || trace(&done));
     bar.finish_and_clear();
     traced?.map_err(|stopped| ready.stopped(stopped))
 }

@@ -116,12 +116,3 @@ impl LogCounts {
         &self.0
     }
 }
-
-/// The sum over the parts of a picture.
-pub(crate) fn sum(parts: &[Counts]) -> Counts {
-    let mut sum = Counts::default();
-    for part in parts {
-        sum.add(part);
-    }
-    sum
-}

@@ -1,13 +1,13 @@
 //! `raystep trace`: the log of a picture or a part of it; a log is filtered again.
 
 use std::io::{self, Write};
-use std::ops::{AddAssign, ControlFlow};
+use std::ops::ControlFlow;
 use std::time::Instant;
 
 use raystep::{
-    Budget, Chosen, Counts, Filter, Kind, Kinds, LineSink, LogNames, LogOptions, LogStopped,
-    LoggedPaths, Off, PathSieve, Record, Recorder, Region, Scene, Settings, Sink, Strategy, Tracer,
-    paths_behind, write_log, write_log_head,
+    Budget, Chosen, ChosenTracer, Counts, Filter, Kind, Kinds, LineSink, LogNames, LogOptions,
+    LogStopped, LoggedPaths, PathSieve, Record, Region, Scene, Settings, Sink, Tracer,
+    paths_behind_region, record_log, write_log_head,
 };
 
 use crate::cli::Error;
@@ -77,7 +77,7 @@ fn trace_with(
 ) -> Result<(), Error> {
     let started = Instant::now();
     let region = args.region;
-    let (light, _) = light_pass::<_, Off>(&args.scene, ready, strategy, region, args.threads)?;
+    let light = light_pass(&args.scene, ready, strategy, region, args.threads, None)?;
     let tracer = Tracer::new(&ready.scene, strategy, ready.settings.transport);
     let tracer = tracer
         .with_light(light.as_ref())
@@ -85,33 +85,36 @@ fn trace_with(
     options.paths = match region {
         None => LoggedPaths::All(ready.settings.light_paths(ready.scene.camera.pixels)),
         Some(region) => {
-            let paths = paths_behind(&tracer, region, ready.settings.through)
+            let paths = paths_behind_region(&tracer, region, ready.settings.through)
                 .map_err(|stopped| ready.stopped(stopped))?;
             LoggedPaths::Some(paths.into_iter().collect())
         }
     };
-    let Some(format) = args.tracing.stats else {
-        write::<_, Off>(&tracer, ready, args, &options, &mut out)?;
-        return out.finish();
-    };
-    let counts = write::<_, Counts>(&tracer, ready, args, &options, &mut out)?;
+    let mut counts = args.tracing.stats.map(|_| Counts::default());
+    write(&tracer, ready, args, &options, &mut out, counts.as_mut())?;
     times.tracing = started.elapsed();
     out.finish()?;
-    stats::tell(format, &ready.report(strategy, &counts, times))
+    match (args.tracing.stats, counts) {
+        (Some(format), Some(counts)) => {
+            stats::tell(format, &ready.report(strategy, &counts, times))
+        }
+        _ => Ok(()),
+    }
 }
 
-/// Writes the log, and gives back what else heard of the trace.
-fn write<S: Strategy, R: Recorder + Default + AddAssign + Send>(
-    tracer: &Tracer<'_, S>,
+/// Writes the log.
+fn write(
+    tracer: &ChosenTracer<'_, '_>,
     ready: &Ready,
     args: &TraceArgs,
     options: &LogOptions,
     out: &mut Output,
-) -> Result<R, Error> {
+    counts: Option<&mut Counts>,
+) -> Result<(), Error> {
     let bar = bar(u64::from(options.region.to[1] - options.region.from[1]) + 1);
     let done = |lines: usize| bar.set_position(lines as u64);
     let written = on_threads(args.threads, || {
-        write_log(tracer, &ready.settings, options, &mut *out, done)
+        record_log(tracer, &ready.settings, options, &mut *out, counts, &done)
     });
     bar.finish_and_clear();
     written?.map_err(|stopped| match stopped {

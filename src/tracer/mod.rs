@@ -60,6 +60,7 @@
 //!
 //! The table is held by `tests/transports/effects.rs`.
 
+mod entry;
 mod epsilon;
 mod eye;
 mod in_order;
@@ -75,6 +76,10 @@ mod surface;
 )]
 mod tracer;
 
+pub use entry::{
+    ChosenTracer, check_light_of, follow_light, paths_behind_region, record_log, record_pixel,
+    render_heat, render_picture,
+};
 pub use epsilon::{EPSILON, start_epsilon};
 pub use eye::{Heat, HeatLine, HeatOf, Picture, eye_samples, heat_values, render, trace_pixel};
 pub use light::{

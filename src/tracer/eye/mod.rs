@@ -1,7 +1,7 @@
 //! From the eye into the scene: backward, with rays to the lights, and the pixels and pictures that come of it.
 
 pub(in crate::tracer) mod backward;
-mod heat;
+pub(in crate::tracer) mod heat;
 mod hybrid_light;
 pub(in crate::tracer) mod picture;
 pub(in crate::tracer) mod pixel;
