@@ -24,7 +24,7 @@ mod turn;
 mod z_aligned;
 
 pub use bounds::BoundedObjects;
-pub use chosen::Chosen;
+pub use by_name::Chosen;
 pub use exhaustive::Exhaustive;
 pub use grid::UniformGrid;
 pub use heap::HeapOrdered;

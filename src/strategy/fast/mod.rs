@@ -2,7 +2,7 @@
 //!
 //! A driver here has the structure of its strategy and the same functions of geometry, finds the same object at the
 //! same t, bit for bit, and has nothing to tell. So it may look at things in another order and leave out what does not
-//! change the answer. [`Chosen`](crate::strategy::Chosen) alone comes here, in one line.
+//! change the answer. `chosen.rs` alone comes here, in one line.
 //!
 //! - [`slabs`]: all slabs of a bound at one go, near and far by both planes side by side;
 //! - [`leaf_order`]: copies of the objects in the order in which a search comes to them, among them
