@@ -17,33 +17,48 @@
 //! 6. [`tracer`]: what a hit leads to: shadow rays, reflection, refraction; pixels and pictures;
 //! 7. [`explain`]: from events to words, and what each strategy costs;
 //! 8. [`figure`]: from events to the figures of a lecture; bars of costs and heat maps;
-//! 9. [`lesson`]: the course's data, and the traces that its figures are drawn from;
-//! 10. [`book`]: the preprocessor for mdBook.
+//! 9. [`lesson`]: the course's data, and the traces that its figures are drawn from.
+//!
+//! These are the core: no file system, no clock, no threads but by the feature `threads`. Above it are `files` (the file
+//! system), `book` (the preprocessor for mdBook) and the command `raystep` (feature `cli`). What most programs need is at
+//! the root; all else is in the module of its layer, and nothing is in both.
 //!
 //! Equations and figures are numbered as in the course's slides, after Foley, van Dam, Feiner and Hughes,
 //! *Computer Graphics: Principles and Practice*, §15.10.
 //!
 //! # Example
 //!
-//! ```
-//! use std::path::Path;
+//! The core alone, with `default-features = false`: a pixel of a scene, and its worked solution.
 //!
+//! ```
 //! use raystep::explain::render;
-//! use raystep::{Exhaustive, Recording, Settings, Through, Tracer, Transport, WorkedOptions};
+//! use raystep::{Chosen, NoFiles, Settings, Tracer, WorkedOptions};
+//! use raystep::{load_bytes, record_pixel, worked_solution};
+//!
+//! const SCENE: &str = r#"{
+//!   "camera": {
+//!     "look_at": { "cop": [0, 0, 10], "target": [0, 0, 0], "up": [0, 1, 0], "fov_degrees": 40 },
+//!     "pixels": [160, 120]
+//!   },
+//!   "materials": { "red": { "colour": [0.8, 0.2, 0.2], "diffuse": 0.7 } },
+//!   "lights": [ { "name": "lamp", "position": [4, 6, 5], "colour": [1, 1, 1] } ],
+//!   "objects": [
+//!     { "name": "ball", "material": "red", "shape": { "sphere": { "center": [0, 0, 0], "radius": 2 } } }
+//!   ]
+//! }"#;
 //!
 //! # fn main() -> Result<(), Box<dyn std::error::Error>> {
-//! let scene = raystep::load(Path::new("lessons/04-sphere/scene.json"))?.build()?;
-//! let strategy = Exhaustive::new(&scene);
-//! let tracer = Tracer::new(&scene, &strategy, Transport::HybridLight);
+//! let scene = load_bytes("ball.json", SCENE.as_bytes(), &NoFiles)?.build()?;
+//! let settings = Settings::default();
+//! let strategy = Chosen::new(&scene, settings.strategy, &settings.structure)?;
+//! let tracer = Tracer::new(&scene, &strategy, settings.transport);
 //!
-//! let mut recording = Recording::new(Vec::new());
-//! raystep::trace_pixel(&tracer, [80, 60], Through::Centres, &mut recording)?;
-//! let records = recording.into_sink();
-//!
-//! let options = WorkedOptions::default();
-//! let page = raystep::worked_solution(&scene, &Settings::default(), &records, &options);
+//! let budget = 1_000_000;
+//! let records = record_pixel(&tracer, [80, 60], settings.through, false, budget)?;
+//! let page = worked_solution(&scene, &settings, &records, &WorkedOptions::default());
 //! let text = render::plain(&page, render::no_hint);
-//! assert!(text.contains("t = (-b ± √3.9973506)/2a"));
+//! assert!(text.contains("ball"));
+//! print!("{text}");
 //! # Ok(())
 //! # }
 //! ```
@@ -64,65 +79,30 @@ pub mod trace;
 pub mod tracer;
 
 #[cfg(feature = "book")]
-pub use book::{BookError, BookMistake, BookOptions, Preprocessed, preprocess};
-pub use explain::{
-    Compared, Comparison, Cost, CrowdedCell, DERIVATIONS, Derivation, ErrorOf, Fold, InAdvance,
-    Line, Page, Part, Section, StepAddress, StepRange, Tone, TransportComparison, TransportCost,
-    Unfold, WorkedOptions, counts_json, counts_text, grouped, in_advance, in_advance_json,
-    in_advance_text, pixel_json, strategies_to_compare, strategy_title, worked_solution,
-};
-pub use figure::{
-    Drawn, DroppedAxis, FigureError, FigureKind, FigureSpec, Layer, OF_EVERY_PIXEL, Raster,
-    Rendition, Traced, View, Width, cost_chart, draw, heat_map, text_width,
-};
+pub use book::preprocessor::preprocess;
+pub use explain::page::Page;
+pub use explain::worked::options::WorkedOptions;
+pub use explain::worked::worked_solution;
+pub use figure::sheet::canvas::Rendition;
+pub use figure::sheet::sheet::Width;
+pub use figure::spec::FigureSpec;
+pub use figure::traced::Traced;
 #[cfg(feature = "files")]
-pub use files::{Folder, load, open_lessons};
-pub use geometry::{
-    AlignedRay, AlignedSlab, Alignment, Axis, AxisBox, BoxTest, Cone, DecidedBy, EdgeTest,
-    Ellipsoid, GRAZE, Inside, MOST_SLABS, OrientedEllipsoid, Plane, PlaneTest, PlaneVerdict,
-    Polygon, PolygonError, PolygonTest, QuadraticTest, Ray, Refraction, Root, RootVerdict, Roots,
-    Sides, SlabInterval, SlabRay, SlabSetError, Sphere, TRange, disc_in_polygon,
-    interpolated_normal, mean_value_weights, polygon_in_rectangle, reflect, refract,
-    slab_directions,
-};
-#[cfg(feature = "schema")]
-pub use lesson::lesson_schema;
-pub use lesson::{
-    FigureName, Lesson, LessonError, LessonFile, Library, NotCompared, compare, compare_transports,
-    light_of_lamps, scan_lines_to_compare, trace_figure,
-};
-pub use scene::{
-    Camera, Emission, Fault, Files, IsOutside, LARGEST_FILE, LONGEST_LINE, Light, LoadError,
-    Loaded, Material, Materials, NoFiles, Normals, Object, PhongTerm, Place, Primitive,
-    PrimitiveId, ReadEnd, Scene, SceneFault, SceneFile, Shape, WindowCrossing, load_bytes,
-    nearest_name, printable, read_up_to,
-};
-pub use strategy::{
-    AnyHit, BoundedObjects, Chosen, DepthFirst, Exhaustive, HeapOrdered, Hit, NearestSoFar, Search,
-    Strategy, UniformGrid, ZAligned, test_primitive,
-};
-pub use structure::{
-    Across, AssignStep, Build, CellStep, Grid, GridError, GridOptions, GridWalk, Hierarchy, Link,
-    Lists, MOST_CELLS, MOST_CELLS_ALONG, MergeStep, Neighbour, Node, Placed, PointTree, RaySlabs,
-    Share, SlabBound, SlabChoice, SlabSet, SlabStep, SlabVerdict, StructureError, StructureOptions,
-    Volume, VolumeKind, VolumeRay, extent,
-};
-pub use trace::{
-    Aligned, AlignedPart, Alternative, Arrival, BoundTest, BoundVerdict, Bounded, Budget,
-    CellVisit, Connection, Counts, Event, Filter, Gathered, GridEnter, GridExit, HitOutsideCell,
-    Item, Kind, Kinds, LightCount, LightOptions, LightTerm, LineSink, LogError, LogNames,
-    LogReader, Nearby, Nearest, NodeVerdict, NodeVisit, Off, PathSieve, PathStart, Photon,
-    PhotonVerdict, PixelColour, PixelSample, Purpose, QueueAction, QueueStep, RayCount, RayEnd,
-    RayNode, RaySlab, RayStart, RayTree, RayVerdict, Record, Recorder, Recording, Region, Settings,
-    Shade, Sink, SlabTest, Stored, StrategyName, TestCount, Through, Transport, UsefulRays,
-    Verdict, Visibility, WalkEnd, Why, ZSort, begins_log, geometry_term, write_log_head,
-};
-#[cfg(feature = "schema")]
-pub use trace::{scene_schema, trace_schema};
-pub use tracer::{
-    ChosenTracer, EPSILON, Heat, HeatLine, HeatOf, LightError, LightPass, LightSetting, LogOptions,
-    LogStopped, LoggedPaths, MAX_RAYS, MOST_SURFACES, Picture, Stopped, StoredLight, StoredPhoton,
-    Surface, Tracer, check_light, check_light_of, eye_samples, follow_light, heat_values,
-    paths_behind, paths_behind_region, record_log, record_pixel, render, render_heat,
-    render_picture, simple, start_epsilon, trace_pixel, write_log,
-};
+pub use files::folder::Folder;
+#[cfg(feature = "files")]
+pub use files::load::{load, open_lessons};
+pub use lesson::library::{FigureName, Library};
+pub use scene::load::error::LoadError;
+pub use scene::load::files::{Files, NoFiles};
+pub use scene::load::load_bytes;
+pub use scene::scene::Scene;
+pub use strategy::by_name::Chosen;
+pub use structure::options::StructureOptions;
+pub use trace::event::table::Event;
+pub use trace::log::reader::LogReader;
+pub use trace::log::settings::{Settings, StrategyName, Through, Transport};
+pub use trace::record::counts::Counts;
+pub use trace::record::recorder::{Off, Record, Recorder, Recording};
+pub use tracer::entry::{ChosenTracer, record_log, record_pixel, render_picture};
+pub use tracer::stopped::Stopped;
+pub use tracer::tracer::Tracer;

@@ -27,6 +27,6 @@ fn main() -> ExitCode {
 
 /// A message whose names cannot control the terminal.
 fn printable_lines(message: &str) -> String {
-    let lines: Vec<_> = message.lines().map(raystep::printable).collect();
+    let lines: Vec<_> = message.lines().map(raystep::scene::printable).collect();
     lines.join("\n")
 }

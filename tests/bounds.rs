@@ -10,7 +10,10 @@ mod worked;
 use std::f64::consts::TAU;
 
 use glam::{DQuat, DVec3};
-use raystep::{Loaded, MOST_SLABS, NoFiles, Scene, SlabSet, Volume, VolumeKind, load_bytes};
+use raystep::geometry::MOST_SLABS;
+use raystep::scene::Loaded;
+use raystep::structure::{SlabSet, Volume, VolumeKind};
+use raystep::{NoFiles, Scene, load_bytes};
 use serde_json::{Value, json};
 
 use crate::seeded::Seeded;

@@ -6,9 +6,11 @@ mod strategies;
 
 use std::path::Path;
 
+use raystep::strategy::Strategy;
+use raystep::tracer::trace_pixel;
 use raystep::{
-    Chosen, NoFiles, Recording, Scene, Settings, Strategy, StrategyName, Through, Tracer,
-    Transport, WorkedOptions, load, load_bytes, trace_pixel,
+    Chosen, NoFiles, Recording, Scene, Settings, StrategyName, Through, Tracer, Transport,
+    WorkedOptions, load, load_bytes,
 };
 
 use crate::worked_solution::worked_text;

@@ -10,7 +10,8 @@ mod manners;
 mod pipes;
 mod usual_strategy;
 
-use raystep::{Kind, NoFiles, Scene, load_bytes};
+use raystep::trace::Kind;
+use raystep::{NoFiles, Scene, load_bytes};
 use run::{Folder, SCENE};
 use serde_json::Value;
 

@@ -7,10 +7,10 @@ mod not_built;
 mod table;
 mod transports;
 
-use raystep::{
-    Compared, Comparison, Cost, Counts, Exhaustive, NoFiles, Scene, Settings, Through, Tracer,
-    Transport, load_bytes, render, strategies_to_compare,
-};
+use raystep::explain::{Compared, Comparison, Cost, strategies_to_compare};
+use raystep::strategy::Exhaustive;
+use raystep::tracer::render;
+use raystep::{Counts, NoFiles, Scene, Settings, Through, Tracer, Transport, load_bytes};
 use serde_json::Value;
 
 use crate::cli::run::Folder;
@@ -278,7 +278,7 @@ fn long_counts_of_the_search_end_under_the_other_numbers() {
     counts.search.outside_cell = 104_857_600;
     counts.search.entered = 7;
     counts.tests[0].tests = 1_234_567_890;
-    let text = raystep::counts_text(&counts);
+    let text = raystep::explain::counts_text(&counts);
     let ends: Vec<usize> = text
         .lines()
         .filter(|line| {

@@ -12,7 +12,9 @@ mod same_hits;
 use std::cmp::Ordering;
 
 use glam::DVec3;
-use raystep::{Across, CellStep, Grid, GridOptions, NoFiles, Ray, Scene, TRange, load_bytes};
+use raystep::geometry::{Ray, TRange};
+use raystep::structure::{Across, CellStep, Grid, GridOptions};
+use raystep::{NoFiles, Scene, load_bytes};
 
 use crate::exact::Exact;
 use crate::seeded::Seeded;

@@ -348,3 +348,27 @@ fn architecture_draws_the_layers_and_their_folders() {
     });
     assert_eq!(drawn, expected);
 }
+
+#[test]
+fn the_front_door_has_about_40_names_and_none_of_them_a_second_path() {
+    let text = program(&fs::read_to_string(src().join("lib.rs")).unwrap());
+    let mut names = 0;
+    for import in text.split("pub use ").skip(1) {
+        let import = import.split(';').next().unwrap();
+        let (path, of_group) = import.rsplit_once("::").unwrap();
+        let group = of_group.trim_matches(['{', '}']).split(',').map(str::trim);
+        let layer = path.split("::").next().unwrap();
+        let module = fs::read_to_string(src().join(layer).join("mod.rs")).unwrap();
+        for name in group.filter(|name| !name.is_empty()) {
+            names += 1;
+            let again = module.split("\npub use ").skip(1).find(|import| {
+                let import = import.split(';').next().unwrap();
+                import
+                    .split(|c: char| !c.is_alphanumeric() && c != '_')
+                    .any(|word| word == name)
+            });
+            assert!(again.is_none(), "{layer}: {name} is at the root too");
+        }
+    }
+    assert!((30..=45).contains(&names), "{names} names");
+}

@@ -9,10 +9,12 @@ use std::any::Any;
 use std::fs;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
+use raystep::explain::pixel_json;
+use raystep::strategy::Exhaustive;
+use raystep::tracer::trace_pixel;
 use raystep::{
-    Exhaustive, FigureSpec, LoadError, LogReader, NoFiles, Off, Rendition, Settings, StrategyName,
-    Through, Tracer, Transport, Width, WorkedOptions, load_bytes, pixel_json, preprocess,
-    trace_pixel, worked_solution,
+    FigureSpec, LoadError, LogReader, NoFiles, Off, Rendition, Settings, StrategyName, Through,
+    Tracer, Transport, Width, WorkedOptions, load_bytes, preprocess, worked_solution,
 };
 use serde_json::json;
 
@@ -199,17 +201,17 @@ fn damaged_logs_are_told_or_refused() {
         log(
             &scene,
             &with(StrategyName::Exhaustive),
-            &all_of(raystep::Region::pixel([1, 0])),
+            &all_of(raystep::trace::Region::pixel([1, 0])),
         ),
         log(
             &small,
             &with(StrategyName::Grid),
-            &all_of(raystep::Region::whole([2, 2])),
+            &all_of(raystep::trace::Region::whole([2, 2])),
         ),
         log(
             &small,
             &with(StrategyName::Hierarchy),
-            &all_of(raystep::Region::whole([2, 2])),
+            &all_of(raystep::trace::Region::whole([2, 2])),
         ),
     ];
     let files: Vec<&[u8]> = logs.iter().map(Vec::as_slice).collect();

@@ -6,7 +6,9 @@
 //! where it runs. Rays exactly through edges and vertices are the subject of `polygon_tilings`.
 
 use glam::{DMat3, DVec2, DVec3};
-use raystep::{Axis, DecidedBy, Plane, PlaneVerdict, Polygon, PolygonTest, Ray, Sides, TRange};
+use raystep::geometry::{
+    Axis, DecidedBy, Plane, PlaneVerdict, Polygon, PolygonTest, Ray, Sides, TRange,
+};
 
 use crate::exact::{Exact, ExactPoint, ExactVec3, Place, even_odd, exact_point};
 use crate::seeded::Seeded;

@@ -5,7 +5,7 @@
 //! may leave no gap and no overlap.
 
 use glam::{DMat3, DVec2, DVec3};
-use raystep::{DecidedBy, PlaneVerdict, Polygon, Ray, Sides, TRange};
+use raystep::geometry::{DecidedBy, PlaneVerdict, Polygon, Ray, Sides, TRange};
 
 use crate::seeded::Seeded;
 

@@ -17,10 +17,11 @@
 
 use std::path::Path;
 
-use raystep::{
-    Build, Counts, DepthFirst, GridOptions, Lists, Purpose, Scene, SlabSet, Strategy, Through,
-    Tracer, Transport, UniformGrid, load, render,
-};
+use raystep::strategy::{DepthFirst, Strategy, UniformGrid};
+use raystep::structure::{Build, GridOptions, Lists, SlabSet};
+use raystep::trace::Purpose;
+use raystep::tracer::render;
+use raystep::{Counts, Scene, Through, Tracer, Transport, load};
 
 /// How far a count may be from a published one where ε has a say.
 const SHARE: f64 = 0.03;

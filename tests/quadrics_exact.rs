@@ -7,11 +7,13 @@
 //! is known which of them are 0.
 
 use glam::DVec3;
-use raystep::{
-    AlignedRay, BoundedObjects, Build, Cone, DepthFirst, Ellipsoid, Exhaustive, GridOptions,
-    NoFiles, Off, Primitive, QuadraticTest, Ray, Roots, Scene, Shape, Sides, SlabSet, Sphere,
-    Strategy, TRange, UniformGrid, VolumeKind, ZAligned, load_bytes,
+use raystep::geometry::{
+    AlignedRay, Cone, Ellipsoid, QuadraticTest, Ray, Roots, Sides, Sphere, TRange,
 };
+use raystep::scene::{Primitive, Shape};
+use raystep::strategy::{BoundedObjects, DepthFirst, Exhaustive, Strategy, UniformGrid, ZAligned};
+use raystep::structure::{Build, GridOptions, SlabSet, VolumeKind};
+use raystep::{NoFiles, Off, Scene, load_bytes};
 
 use crate::seeded::Seeded;
 

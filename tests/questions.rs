@@ -8,7 +8,7 @@ mod tools;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 
-use raystep::Region;
+use raystep::trace::Region;
 use serde_json::Value;
 
 use crate::cli::run::Folder;

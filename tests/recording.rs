@@ -7,9 +7,11 @@ mod sums;
 use std::ops::ControlFlow;
 
 use glam::DVec3;
+use raystep::trace::Purpose;
+use raystep::tracer::{render, trace_pixel};
 use raystep::{
-    Chosen, Counts, Event, Off, Purpose, Record, Recorder, Recording, Scene, Settings, Through,
-    Tracer, Transport, render, trace_pixel,
+    Chosen, Counts, Event, Off, Record, Recorder, Recording, Scene, Settings, Through, Tracer,
+    Transport,
 };
 
 use crate::trace_log::strategies::{ways, with_slabs};
@@ -74,7 +76,7 @@ fn picture<R: Recorder + Default + Send>(scene: &Scene, settings: &Settings) -> 
 #[derive(Default)]
 struct Forgets;
 
-impl raystep::Sink for Forgets {
+impl raystep::trace::Sink for Forgets {
     fn record(&mut self, _: &Record) -> ControlFlow<()> {
         ControlFlow::Continue(())
     }

@@ -3,7 +3,7 @@
 //! The table was worked out with 40 digits and has 13 decimals: θ₂ = arcsin(n₁ sin θ₁ / n₂).
 
 use glam::DVec3;
-use raystep::{Refraction, refract};
+use raystep::geometry::{Refraction, refract};
 
 use crate::exact::{Exact, ExactVec3};
 use crate::seeded::Seeded;

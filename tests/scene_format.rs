@@ -3,7 +3,9 @@
 use std::path::Path;
 
 use glam::DVec3;
-use raystep::{Emission, Fault, LoadError, NoFiles, Scene, Shape, Sides, load, load_bytes};
+use raystep::geometry::Sides;
+use raystep::scene::{Emission, Fault, Shape};
+use raystep::{LoadError, NoFiles, Scene, load, load_bytes};
 
 fn example() -> Scene {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("lessons/04-sphere/scene.json");
@@ -71,7 +73,10 @@ const ONE_TRIANGLE: &str = r#"{
 fn a_mesh_may_stand_in_the_scene_itself_and_is_told_by_its_faces() {
     let scene = load_bytes("m.json", ONE_TRIANGLE.as_bytes(), &NoFiles);
     let scene = scene.unwrap().build().unwrap();
-    assert_eq!(scene.name_of(raystep::PrimitiveId(0)), ("t", Some(0)));
+    assert_eq!(
+        scene.name_of(raystep::scene::PrimitiveId(0)),
+        ("t", Some(0))
+    );
     assert_eq!(scene.max_depth, 5);
 }
 
@@ -84,7 +89,10 @@ fn a_value_that_makes_no_sense_is_named_with_its_line_and_path() {
     };
     assert_eq!(place.line, Some(6));
     assert_eq!(place.path, "objects[0].shape.mesh.faces[0]");
-    assert_eq!(fault, Fault::Polygon(raystep::PolygonError::NoArea));
+    assert_eq!(
+        fault,
+        Fault::Polygon(raystep::geometry::PolygonError::NoArea)
+    );
 }
 
 #[test]

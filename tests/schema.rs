@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use jsonschema::Validator;
-use raystep::{Kind, scene_schema, trace_schema};
+use raystep::trace::{Kind, scene_schema, trace_schema};
 use serde_json::{Value, json};
 
 use crate::bad_input::light::LAMP;
@@ -164,7 +164,7 @@ fn scenes_that_do_not_load_are_refused() {
         assert!(!schema.is_valid(&scene), "{pointer} = {to:?} is allowed");
         let text = scene.to_string();
         let loaded = raystep::load_bytes("a.json", text.as_bytes(), &raystep::NoFiles);
-        let built = loaded.and_then(raystep::Loaded::build);
+        let built = loaded.and_then(raystep::scene::Loaded::build);
         assert!(built.is_err(), "{pointer} = {to:?} loads");
     }
 }

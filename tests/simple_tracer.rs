@@ -3,11 +3,13 @@
 use std::path::{Path, PathBuf};
 
 use glam::DVec3;
-use raystep::simple::{self, Own, Parts};
-use raystep::{
-    Build, Camera, DepthFirst, Exhaustive, Hit, Off, Ray, Scene, SlabSet, Strategy, TRange,
-    Through, Tracer, Transport, load, render,
-};
+use raystep::geometry::{Ray, TRange};
+use raystep::scene::Camera;
+use raystep::strategy::{DepthFirst, Exhaustive, Hit, Strategy};
+use raystep::structure::{Build, SlabSet};
+use raystep::tracer::render;
+use raystep::tracer::simple::{self, Own, Parts};
+use raystep::{Off, Scene, Through, Tracer, Transport, load};
 
 /// Pixels to a side: so many that each scene's shadows, mirrors and glass are hit.
 const SIDE: u32 = 40;

@@ -7,7 +7,7 @@
 //! r·√(2·10⁻ᵏ), and its digits go as k grows.
 
 use glam::DVec3;
-use raystep::{QuadraticTest, Ray, Root, Roots, Sides, Sphere, TRange};
+use raystep::geometry::{QuadraticTest, Ray, Root, Roots, Sides, Sphere, TRange};
 
 use crate::exact::{Exact, ExactVec3};
 use crate::seeded::Seeded;

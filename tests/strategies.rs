@@ -13,11 +13,13 @@
 mod hard_rays;
 mod known_rays;
 
-use raystep::{
-    BoundedObjects, Build, Chosen, DepthFirst, Exhaustive, GridOptions, HeapOrdered, Hit, Lists,
-    Off, Ray, Scene, SceneFile, SlabChoice, SlabSet, Strategy, StrategyName, StructureOptions,
-    TRange, UniformGrid, VolumeKind,
+use raystep::geometry::{Ray, TRange};
+use raystep::scene::SceneFile;
+use raystep::strategy::{
+    BoundedObjects, DepthFirst, Exhaustive, HeapOrdered, Hit, Strategy, UniformGrid,
 };
+use raystep::structure::{Build, GridOptions, Lists, SlabChoice, SlabSet, VolumeKind};
+use raystep::{Chosen, Off, Scene, StrategyName, StructureOptions};
 use serde_json::{Value, json};
 
 use crate::seeded::Seeded;

@@ -10,10 +10,13 @@ mod verdicts;
 use std::io::{self, Write};
 use std::path::Path;
 
+use raystep::scene::Loaded;
+use raystep::strategy::Strategy;
+use raystep::trace::{Kind, Kinds, Region};
+use raystep::tracer::{LogOptions, LogStopped, LoggedPaths, trace_pixel, write_log};
 use raystep::{
-    Chosen, Kind, Kinds, Loaded, LogOptions, LogReader, LogStopped, LoggedPaths, NoFiles, Off,
-    Record, Recording, Region, Scene, Settings, Strategy, Through, Tracer, WorkedOptions, load,
-    load_bytes, trace_pixel, write_log,
+    Chosen, LogReader, NoFiles, Off, Record, Recording, Scene, Settings, Through, Tracer,
+    WorkedOptions, load, load_bytes,
 };
 
 use crate::worked_solution::worked_text;

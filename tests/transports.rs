@@ -17,10 +17,10 @@ mod room;
 mod weights;
 
 use glam::DVec3;
-use raystep::{
-    Exhaustive, LightOptions, LightPass, Off, Picture, Recorder, Scene, Settings, Tracer,
-    Transport, check_light, render,
-};
+use raystep::strategy::Exhaustive;
+use raystep::trace::LightOptions;
+use raystep::tracer::{LightPass, Picture, check_light, render};
+use raystep::{Off, Recorder, Scene, Settings, Tracer, Transport};
 
 pub(crate) use crate::trace_log::built;
 

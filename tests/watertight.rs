@@ -6,7 +6,7 @@
 use std::collections::BTreeMap;
 
 use glam::DVec3;
-use raystep::{Polygon, Ray, Sides, TRange};
+use raystep::geometry::{Polygon, Ray, Sides, TRange};
 
 use crate::seeded::Seeded;
 

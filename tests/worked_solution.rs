@@ -6,9 +6,12 @@ mod renderers;
 mod strategies;
 
 use raystep::explain::render;
+use raystep::strategy::Exhaustive;
+use raystep::trace::{Kind, Kinds};
+use raystep::tracer::trace_pixel;
 use raystep::{
-    Exhaustive, Kind, Kinds, NoFiles, Record, Recording, Scene, Settings, Through, Tracer,
-    Transport, WorkedOptions, load_bytes, trace_pixel,
+    NoFiles, Record, Recording, Scene, Settings, Through, Tracer, Transport, WorkedOptions,
+    load_bytes,
 };
 
 /// One pixel, whose eye ray runs along z from the origin: every number below is one of a few halves.

@@ -6,10 +6,12 @@ mod hard_rays;
 use std::path::Path;
 
 use glam::DVec3;
-use raystep::{
-    AlignedRay, Alignment, AxisBox, Ellipsoid, Exhaustive, Hit, NoFiles, Off, Polygon, Primitive,
-    Ray, Scene, Shape, Sides, Sphere, Strategy, TRange, ZAligned, load, load_bytes,
+use raystep::geometry::{
+    AlignedRay, Alignment, AxisBox, Ellipsoid, Polygon, Ray, Sides, Sphere, TRange,
 };
+use raystep::scene::{Primitive, Shape};
+use raystep::strategy::{Exhaustive, Hit, Strategy, ZAligned};
+use raystep::{NoFiles, Off, Scene, load, load_bytes};
 
 use crate::seeded::Seeded;
 use crate::z_aligned::hard_rays::{ray, shape};

@@ -5,9 +5,9 @@ mod directive;
 mod error;
 mod expand;
 mod html;
-mod preprocessor;
+pub(crate) mod preprocessor;
 mod protocol;
 mod value;
 
 pub use error::{BookError, BookMistake};
-pub use preprocessor::{BookOptions, Preprocessed, preprocess};
+pub use preprocessor::{BookOptions, Preprocessed};

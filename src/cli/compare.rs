@@ -2,10 +2,13 @@
 
 use std::time::Instant;
 
-use raystep::{
-    Loaded, NotCompared, Transport, check_light_of, compare, compare_transports, cost_chart,
-    light_of_lamps, scan_lines_to_compare,
+use raystep::Transport;
+use raystep::figure::cost_chart;
+use raystep::lesson::{
+    NotCompared, compare, compare_transports, light_of_lamps, scan_lines_to_compare,
 };
+use raystep::scene::Loaded;
+use raystep::tracer::check_light_of;
 
 use crate::cli::Error;
 use crate::cli::args::{CompareArgs, TableFormat, Tracing};
@@ -25,7 +28,7 @@ pub(crate) fn run(args: &CompareArgs) -> Result<(), Error> {
     if args.chart.as_deref().is_some_and(output::is_standard) {
         return Err(Error::Target {
             file: "--chart -".into(),
-            what: "the table and the chart cannot both go to standard output".into(),
+            what: "the table goes to standard output, and so would the chart".into(),
             fix: "name a file with --chart".into(),
         });
     }
@@ -113,7 +116,6 @@ fn transports(args: &CompareArgs) -> Result<(), Error> {
         NotCompared::Stopped { transport, stopped } => Error::Stopped { stopped, transport },
     })?;
     let table = match args.format {
-        TableFormat::Text if args.wide => comparison.wide_text(),
         TableFormat::Text => comparison.text(),
         TableFormat::Json => format!("{:#}\n", comparison.json()),
         TableFormat::Csv => comparison.csv(),

@@ -4,10 +4,11 @@ use std::fs::File;
 use std::io::BufReader;
 use std::path::{Path, PathBuf};
 
-use raystep::{
-    Drawn, FigureName, FigureSpec, Folder, Lesson, LessonError, Library, Loaded, LogError,
-    Rendition, Traced, Width,
-};
+use raystep::figure::Drawn;
+use raystep::lesson::{Lesson, LessonError};
+use raystep::scene::Loaded;
+use raystep::trace::LogError;
+use raystep::{FigureName, FigureSpec, Folder, Library, Rendition, Traced, Width};
 
 use crate::cli::Error;
 use crate::cli::args::{Drawing, FigureArgs, WidthName};

@@ -6,7 +6,8 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use rayon::prelude::*;
-use raystep::{FigureName, Library, printable};
+use raystep::scene::printable;
+use raystep::{FigureName, Library};
 
 use crate::cli::Error;
 use crate::cli::args::FiguresArgs;

@@ -5,10 +5,11 @@ use std::io::{self, BufRead, BufReader, Cursor, Read};
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
-use raystep::{
-    Chosen, Counts, CrowdedCell, Fault, Folder, LARGEST_FILE, LONGEST_LINE, LoadError, Loaded,
-    LogReader, MAX_RAYS, ReadEnd, Scene, Settings, Stopped, begins_log, load_bytes, read_up_to,
-};
+use raystep::explain::CrowdedCell;
+use raystep::scene::{Fault, LARGEST_FILE, LONGEST_LINE, Loaded, ReadEnd, read_up_to};
+use raystep::trace::begins_log;
+use raystep::tracer::MAX_RAYS;
+use raystep::{Chosen, Counts, Folder, LoadError, LogReader, Scene, Settings, Stopped, load_bytes};
 
 use crate::cli::Error;
 use crate::cli::args::{Reading, Tracing};

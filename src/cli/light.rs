@@ -2,7 +2,9 @@
 
 use std::path::Path;
 
-use raystep::{Chosen, Counts, LightError, LightPass, Region, check_light_of, follow_light};
+use raystep::trace::Region;
+use raystep::tracer::{LightError, LightPass, check_light_of, follow_light};
+use raystep::{Chosen, Counts};
 
 use crate::cli::Error;
 use crate::cli::input::{self, Ready};

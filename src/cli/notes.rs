@@ -3,7 +3,7 @@
 use std::io::{self, Write};
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use raystep::printable;
+use raystep::scene::printable;
 
 /// Was `--quiet` given? One command has one answer, and it is set before any work.
 static QUIET: AtomicBool = AtomicBool::new(false);

@@ -3,10 +3,9 @@
 use std::io::{self, Write};
 use std::time::Instant;
 
-use raystep::{
-    Chosen, Counts, HeatLine, HeatOf, Picture, Raster, Stopped, Through, Tracer, Transport,
-    heat_map, heat_values, render_heat, render_picture,
-};
+use raystep::figure::{Raster, heat_map};
+use raystep::tracer::{HeatLine, HeatOf, Picture, heat_values, render_heat};
+use raystep::{Chosen, Counts, Stopped, Through, Tracer, Transport, render_picture};
 
 use crate::cli::Error;
 use crate::cli::args::{Format, RenderArgs};
@@ -23,7 +22,7 @@ use crate::cli::word::word;
 pub(crate) fn run(args: &RenderArgs) -> Result<(), Error> {
     if args.tracing.stats == Some(Format::Json) && output::is_standard(&args.output) {
         return Err(Error::StandardOutputTwice {
-            fix: "name a file with -o, or use --stats, which writes to standard error",
+            fix: "name a file with -o, or take --stats, which writes to standard error",
         });
     }
     let started = Instant::now();
@@ -45,7 +44,7 @@ pub(crate) fn run(args: &RenderArgs) -> Result<(), Error> {
         return Err(Error::Unused {
             option: "--heatmap",
             chosen: format!(
-                "--transport {}: a ray does not belong to a single pixel",
+                "--transport {}: no ray belongs to one pixel alone",
                 word(transport)
             ),
             users: vec!["another --transport".into()],

@@ -1,6 +1,7 @@
 //! `raystep schema`: the JSON Schemas of the files that are read and written.
 
-use raystep::{lesson_schema, scene_schema, trace_schema};
+use raystep::lesson::lesson_schema;
+use raystep::trace::{scene_schema, trace_schema};
 
 use crate::cli::Error;
 use crate::cli::args::{SchemaArgs, SchemaOf};

@@ -3,10 +3,11 @@
 use std::io::{self, Write};
 use std::time::Duration;
 
-use raystep::{
-    Counts, CrowdedCell, Record, Recorder, Scene, Settings, counts_json, counts_text, in_advance,
-    in_advance_json, in_advance_text, strategy_title,
+use raystep::explain::{
+    CrowdedCell, counts_json, counts_text, in_advance, in_advance_json, in_advance_text,
+    strategy_title,
 };
+use raystep::{Counts, Record, Recorder, Scene, Settings};
 use serde_json::{Value, json};
 
 use crate::cli::Error;
@@ -98,7 +99,7 @@ impl LogCounts {
             Some(only) => Err(Error::NotInLog {
                 file: file.into(),
                 what: format!(
-                    "--stats counts all kinds, and this log has only {}",
+                    "--stats counts all kinds, and this log kept only {}",
                     only.join(", ")
                 ),
                 fix: "count a log that was made without --only",

@@ -1,6 +1,7 @@
 //! Which options about a structure there are, and which strategies look at each.
 
-use raystep::{StrategyName, StructureOptions, VolumeKind};
+use raystep::structure::VolumeKind;
+use raystep::{StrategyName, StructureOptions};
 
 use crate::cli::Error;
 use crate::cli::args::Tracing;

@@ -1,6 +1,7 @@
 //! Which strategy a verb uses where `--strategy` does not choose one.
 
-use raystep::{Scene, StrategyName, grouped};
+use raystep::explain::grouped;
+use raystep::{Scene, StrategyName};
 
 use crate::cli::notes::note;
 

@@ -1,7 +1,9 @@
 //! The words of the library's choices on the command line, and what the help says of each.
 
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
-use raystep::{Build, HeatOf, Lists, SlabChoice, StrategyName, Through, Transport, VolumeKind};
+use raystep::structure::{Build, Lists, SlabChoice, VolumeKind};
+use raystep::tracer::HeatOf;
+use raystep::{StrategyName, Through, Transport};
 
 /// A choice of the library that has a word for each of its values.
 pub(crate) trait Word: Copy + PartialEq + Send + Sync + 'static {
@@ -35,22 +37,22 @@ impl Word for StrategyName {
         (
             Self::Bounds,
             "bounds",
-            "Every object whose bounding volume the ray hits",
+            "Every object whose bounding volume is met",
         ),
         (
             Self::Hierarchy,
             "hierarchy",
-            "A hierarchy of bounding volumes, traversed depth first",
+            "A hierarchy of bounding volumes, walked depth first",
         ),
         (
             Self::Heap,
             "heap",
-            "A hierarchy of bounding volumes, traversed nearest node first with a heap",
+            "A hierarchy of bounding volumes, walked in the order of distance",
         ),
         (
             Self::Grid,
             "grid",
-            "The objects in the cells of a uniform grid, cell by cell along the ray",
+            "The cells of a uniform grid, one after the other along the ray",
         ),
         (
             Self::ZAligned,
@@ -65,27 +67,27 @@ impl Word for Transport {
         (
             Self::Backward,
             "backward",
-            "Rays from the eye only; no shadow rays, so no shadows",
+            "From the eye alone; no rays to lights, so no shadows",
         ),
         (
             Self::HybridLight,
             "hybrid-light",
-            "Rays from the eye, and a shadow ray from each point to each light",
+            "From the eye, with a ray to each light from each point",
         ),
         (
             Self::Forward,
             "forward",
-            "Rays from the lights only; those that pass the window into the eye make the picture",
+            "From the lights alone; what passes the window into the eye makes the picture",
         ),
         (
             Self::HybridStored,
             "hybrid-stored",
-            "Light is stored on the surfaces; then rays from the eye gather it (photon mapping)",
+            "From the lights, stored on the surfaces; then from the eye, gathering what is stored",
         ),
         (
             Self::HybridConnected,
             "hybrid-connected",
-            "Paths from the lights and from the eye, connected by lines (bidirectional path tracing)",
+            "From the lights and from the eye; lines connect the two",
         ),
     ];
 }
@@ -96,7 +98,7 @@ impl Word for Through {
         (
             Self::Corners,
             "corners",
-            "Four rays through its corners; the pixel is their mean. A picture shares them: (width + 1) × (height + 1) in all",
+            "Four rays through its corners, of which the pixel is the mean. A picture shares them: (width + 1) × (height + 1) in all",
         ),
     ];
 }
@@ -107,7 +109,7 @@ impl Word for SlabChoice {
         (
             Self::Seven,
             "seven",
-            "The three axes and the four diagonals of a cube: the seven of Kay and Kajiya's paper",
+            "The axes and the four diagonals of a cube: the seven of Kay and Kajiya's paper",
         ),
         (Self::Scene, "scene", "The set in the scene file"),
     ];
@@ -118,13 +120,9 @@ impl Word for Lists {
         (
             Self::Objects,
             "objects",
-            "A cell lists an object whose shape reaches into the cell",
+            "The object itself reaches into the cell",
         ),
-        (
-            Self::Boxes,
-            "boxes",
-            "A cell lists an object whose bounding box reaches into the cell",
-        ),
+        (Self::Boxes, "boxes", "The box around the object does"),
     ];
 }
 
@@ -133,17 +131,17 @@ impl Word for Build {
         (
             Self::BottomUp,
             "bottom-up",
-            "From the objects up: the nearest two volumes are joined each time, as the slides say",
+            "From the objects upwards, the nearest two volumes joined each time, as the slides say",
         ),
         (
             Self::Insertion,
             "insertion",
-            "Objects are inserted one by one where they add the least area (Goldsmith and Salmon 1987)",
+            "One object after the other put where it adds the least area (Goldsmith and Salmon 1987)",
         ),
         (
             Self::SurfaceArea,
             "surface-area",
-            "From the top down: each node is split where the surface-area heuristic expects the fewest tests",
+            "From the top downwards, each node cut where the areas of its halves promise the fewest tests",
         ),
     ];
 }
@@ -154,7 +152,7 @@ impl Word for VolumeKind {
         (
             Self::Ellipsoid,
             "ellipsoid",
-            "The ellipsoid of the smallest volume, in any orientation",
+            "The ellipsoid of least volume, turned as it fits best",
         ),
         (Self::Box, "box", "The rectangular solid along the axes"),
         (Self::Slabs, "slabs", "The intersection of slabs"),
@@ -166,18 +164,22 @@ impl Word for HeatOf {
         (
             Self::Tests,
             "tests",
-            "The number of object tests of the pixel's rays",
+            "How many object tests the pixel's rays took",
         ),
         (
             Self::Nodes,
             "nodes",
-            "The number of bound tests and of nodes entered",
+            "How many bounds they were tested against and nodes they entered",
         ),
-        (Self::Cells, "cells", "The number of grid cells visited"),
+        (
+            Self::Cells,
+            "cells",
+            "How many cells of the grid they visited",
+        ),
         (
             Self::Depth,
             "depth",
-            "The depth of the tree of rays: 1 for the eye ray alone; shadow rays count",
+            "How deep the tree of rays is: 1 for the eye ray alone; shadow rays count",
         ),
     ];
 }

@@ -32,9 +32,8 @@ impl Comparison<'_> {
         let rays = self.compared.iter().find_map(|one| one.cost.as_ref().ok());
         let rays = rays.map_or(0, |cost| cost.counts.traced());
         let sorted = format!(
-            "{} {}; sorted by object tests + search (bound tests, nodes, cells)",
-            grouped(rays),
-            if rays == 1 { "ray" } else { "rays" }
+            "{} rays; sorted by object tests + search (bound tests, nodes, cells)",
+            grouped(rays)
         );
         format!(
             "{}{}\n{}{not_built}{}",

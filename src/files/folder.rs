@@ -8,7 +8,7 @@ use std::io;
 use std::path::{Component, Path, PathBuf};
 use std::sync::Arc;
 
-use crate::files::read_file;
+use crate::files::read::read_file;
 use crate::scene::{Files, IsOutside, LoadError};
 
 /// A folder, and whether names in its files may lead out of it.

@@ -1,70 +1,7 @@
 //! The file system: scenes, meshes and lessons in folders (feature `files`). Nothing below reads a file itself.
 
-mod folder;
+pub(crate) mod folder;
+pub(crate) mod load;
+mod read;
 
-pub use folder::Folder;
-
-use std::fs::File;
-use std::io::BufReader;
-use std::path::Path;
-
-use crate::lesson::{LessonError, Library};
-use crate::scene::{
-    LARGEST_FILE, LoadError, Loaded, Place, ReadEnd, gibibytes, load_bytes, read_up_to,
-};
-
-/// Reads a scene file, and the mesh files of its folder that it names.
-///
-/// # Errors
-/// A file that cannot be read or has not the right form, with the line; a mesh file outside of the folder.
-pub fn load(path: &Path) -> Result<Loaded, LoadError> {
-    let file = path.display().to_string();
-    let bytes = read_file(path)?;
-    let mut loaded = load_bytes(&file, &bytes, &Folder::of(path))?;
-    loaded.files.push(path.into());
-    Ok(loaded)
-}
-
-/// Reads every lesson of a folder: the folders in it that have a `lesson.json`. The scenes of a lesson, and their meshes,
-/// lie in its own folder.
-///
-/// # Errors
-/// A folder that cannot be read or has no lesson, or a lesson with a mistake.
-pub fn open_lessons(folder: &Path) -> Result<Library, LessonError> {
-    Library::open(&Folder::new(folder))
-}
-
-/// Reads a file that ought to be text: up to its end, or to the first byte that no text has.
-///
-/// # Errors
-/// A file that cannot be read, or is larger than any scene.
-fn read_file(path: &Path) -> Result<Vec<u8>, LoadError> {
-    /// How many bytes are read at once.
-    const AT_ONCE: usize = 1 << 16;
-    let file = path.display().to_string();
-    let unreadable = |source| LoadError::Read {
-        file: file.clone(),
-        source,
-    };
-    let opened = File::open(path).map_err(unreadable)?;
-    let length = opened.metadata().map_or(0, |meta| meta.len());
-    let mut bytes = Vec::with_capacity(length.min(LARGEST_FILE) as usize);
-    let mut input = BufReader::with_capacity(AT_ONCE, opened);
-    match read_up_to(&mut input, 0, LARGEST_FILE, &mut bytes).map_err(unreadable)? {
-        ReadEnd::Limit => Err(too_large(&file)),
-        ReadEnd::Stop | ReadEnd::Zero | ReadEnd::Input => Ok(bytes),
-    }
-}
-
-/// The error that a file is larger than any scene.
-fn too_large(file: &str) -> LoadError {
-    LoadError::Form {
-        place: Place {
-            file: file.into(),
-            ..Place::default()
-        },
-        what: format!("this file has more than {}", gibibytes(LARGEST_FILE)),
-        fix: "give a smaller scene".into(),
-        schema: None,
-    }
-}
+pub(crate) use folder::Folder;

@@ -46,7 +46,7 @@ impl AxisBox {
     ///
     /// ```
     /// use glam::DVec3;
-    /// use raystep::AxisBox;
+    /// use raystep::geometry::AxisBox;
     ///
     /// let a = AxisBox { min: DVec3::ZERO, max: DVec3::ONE };
     /// let b = AxisBox { min: DVec3::new(2.0, -1.0, 0.5), max: DVec3::new(3.0, 0.0, 0.5) };

@@ -18,7 +18,7 @@ use glam::DVec2;
 /// use glam::DVec2;
 /// // a quarter of a disc of radius 2 in the corner of a large square: π·2²/4
 /// let square = [[0.0, 0.0], [9.0, 0.0], [9.0, 9.0], [0.0, 9.0]].map(DVec2::from);
-/// let area = raystep::disc_in_polygon(2.0, square.into_iter());
+/// let area = raystep::geometry::disc_in_polygon(2.0, square.into_iter());
 /// assert!((area - std::f64::consts::PI).abs() < 1e-15);
 /// ```
 pub fn disc_in_polygon(radius: f64, vertices: impl ExactSizeIterator<Item = DVec2> + Clone) -> f64 {

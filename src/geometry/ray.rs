@@ -16,7 +16,7 @@ use glam::DVec3;
 ///
 /// ```
 /// use glam::DVec3;
-/// use raystep::Ray;
+/// use raystep::geometry::Ray;
 ///
 /// let to_pixel = Ray::through(DVec3::new(0.0, 1.0, 6.0), DVec3::new(3.0, 1.0, 2.0));
 /// assert_eq!(to_pixel.at(1.0), DVec3::new(3.0, 1.0, 2.0));

@@ -12,7 +12,7 @@ use glam::DVec3;
 /// ```
 /// use glam::DVec3;
 /// let down = DVec3::new(3.0, -4.0, 0.0);
-/// assert_eq!(raystep::reflect(down, DVec3::Y), DVec3::new(3.0, 4.0, 0.0));
+/// assert_eq!(raystep::geometry::reflect(down, DVec3::Y), DVec3::new(3.0, 4.0, 0.0));
 /// ```
 #[doc(alias = "mirror direction")]
 #[inline]

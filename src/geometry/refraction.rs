@@ -39,7 +39,7 @@ impl Refraction {
 /// ```
 /// use glam::DVec3;
 /// // sin θ₁ = 0.6 into an index of 1.2: sin θ₂ = 0.5, cos θ₂ = √0.75
-/// let passed = raystep::refract(DVec3::new(0.6, -0.8, 0.0), DVec3::Y, 1.0, 1.2);
+/// let passed = raystep::geometry::refract(DVec3::new(0.6, -0.8, 0.0), DVec3::Y, 1.0, 1.2);
 /// let direction = passed.direction.unwrap();
 /// assert!((direction - DVec3::new(0.5, -0.75f64.sqrt(), 0.0)).length() < 1e-15);
 /// ```

@@ -49,7 +49,7 @@ impl SlabInterval {
     /// a box whose slabs a ray meets once.
     ///
     /// ```
-    /// use raystep::SlabInterval;
+    /// use raystep::geometry::SlabInterval;
     ///
     /// let back = SlabInterval::across_axis(5.0, -0.5, [1.0, 3.0]);
     /// assert_eq!(back, SlabInterval::Between { near: 4.0, far: 8.0 });

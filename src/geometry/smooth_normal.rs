@@ -14,7 +14,7 @@ use glam::{DVec2, DVec3};
 /// ```
 /// use glam::DVec2;
 /// let outline = [DVec2::ZERO, DVec2::new(6.0, 0.0), DVec2::new(0.0, 12.0)];
-/// let weights = raystep::mean_value_weights(&outline, DVec2::new(2.0, 2.0));
+/// let weights = raystep::geometry::mean_value_weights(&outline, DVec2::new(2.0, 2.0));
 /// let expected = [1.0 / 2.0, 1.0 / 3.0, 1.0 / 6.0];
 /// assert!(weights.iter().zip(expected).all(|(w, e)| (w - e).abs() < 1e-15));
 /// ```
@@ -59,7 +59,7 @@ pub fn mean_value_weights(outline: &[DVec2], p: DVec2) -> Vec<f64> {
 /// use glam::{DVec2, DVec3};
 /// let outline = [DVec2::ZERO, DVec2::new(2.0, 0.0), DVec2::new(0.0, 2.0)];
 /// let normals = [DVec3::Z, DVec3::X, DVec3::Z];
-/// let middle = raystep::interpolated_normal(&outline, &normals, DVec2::new(1.0, 0.0));
+/// let middle = raystep::geometry::interpolated_normal(&outline, &normals, DVec2::new(1.0, 0.0));
 /// assert_eq!(middle, Some(DVec3::new(0.5, 0.0, 0.5).normalize()));
 /// ```
 pub fn interpolated_normal(outline: &[DVec2], normals: &[DVec3], p: DVec2) -> Option<DVec3> {

@@ -4,7 +4,7 @@ mod compare;
 mod compare_transports;
 mod error;
 mod file;
-mod library;
+pub(crate) mod library;
 mod trace;
 
 pub use compare::{compare, scan_lines_to_compare};
@@ -13,5 +13,7 @@ pub use error::LessonError;
 pub use file::LessonFile;
 #[cfg(feature = "schema")]
 pub use file::lesson_schema;
-pub use library::{FigureName, Lesson, Library};
+pub(crate) use library::FigureName;
+pub use library::Lesson;
+pub(crate) use library::Library;
 pub use trace::trace_figure;

@@ -6,14 +6,14 @@ mod faces;
 mod fault;
 pub mod file;
 mod light;
-mod load;
+pub(crate) mod load;
 mod object;
 mod printable;
 #[expect(
     clippy::module_inception,
     reason = "the file is found by the name of its idea"
 )]
-mod scene;
+pub(crate) mod scene;
 mod shapes;
 #[cfg(test)]
 pub(crate) mod small_scene;
@@ -22,12 +22,17 @@ pub use camera::{Camera, WindowCrossing};
 pub use fault::{DEEPEST, Fault, LARGEST, MOST_PIXELS, SMALLEST, SceneFault};
 pub use file::{Material, Materials, SceneFile};
 pub use light::{Emission, Light, PhongTerm};
+pub(crate) use load::Files;
+pub(crate) use load::LoadError;
+#[cfg(test)]
+pub(crate) use load::files::NoFiles;
+pub(crate) use load::load_bytes;
 pub use load::{
-    Files, IsOutside, LARGEST_FILE, LONGEST_LINE, LoadError, Loaded, NoFiles, Place, ReadEnd,
-    SchemaOf, load_bytes, read_up_to,
+    IsOutside, LARGEST_FILE, LONGEST_LINE, Loaded, Place, ReadEnd, SchemaOf, read_up_to,
 };
 pub(crate) use load::{gibibytes, line_of, parse_json, text_of};
 pub use object::{Normals, Object, Primitive, PrimitiveId, Shape};
 pub use printable::printable;
 pub(crate) use printable::quoted;
-pub use scene::{Scene, nearest_name};
+pub(crate) use scene::Scene;
+pub use scene::nearest_name;

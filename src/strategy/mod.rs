@@ -5,7 +5,7 @@
 //! for speed alone is in `fast`.
 
 mod bounds;
-mod by_name;
+pub(crate) mod by_name;
 mod by_slabs;
 mod chosen;
 mod exhaustive;
@@ -24,7 +24,7 @@ mod turn;
 mod z_aligned;
 
 pub use bounds::BoundedObjects;
-pub use by_name::Chosen;
+pub(crate) use by_name::Chosen;
 pub use exhaustive::Exhaustive;
 pub use grid::UniformGrid;
 pub use heap::HeapOrdered;

@@ -6,7 +6,7 @@
 mod bounds;
 mod grid;
 mod hierarchy;
-mod options;
+pub(crate) mod options;
 mod point_tree;
 
 pub use bounds::{
@@ -21,5 +21,6 @@ pub use grid::{
 pub(crate) use grid::{BareGrid, CellPlanes, Meeting, just_after, start};
 pub use hierarchy::{Build, Hierarchy, Link, MergeStep, Node};
 pub(crate) use hierarchy::{range, reach};
-pub use options::{StructureError, StructureOptions};
+pub use options::StructureError;
+pub(crate) use options::StructureOptions;
 pub use point_tree::{Neighbour, Placed, PointTree};

@@ -2,27 +2,37 @@
 //!
 //! Three rooms: `event` says what can happen, `record` who listens to it, `log` how it is written and read.
 
-mod event;
-mod log;
-mod record;
+pub(crate) mod event;
+pub(crate) mod log;
+pub(crate) mod record;
 
+pub(crate) use event::Event;
 pub use event::{
     Aligned, AlignedPart, Alternative, Arrival, BoundTest, BoundVerdict, Bounded, CellVisit,
-    Connection, Event, Gathered, GridEnter, GridExit, HitOutsideCell, Kind, LightTerm, Nearby,
-    Nearest, NodeVerdict, NodeVisit, PathStart, Photon, PhotonVerdict, PixelColour, PixelSample,
-    Purpose, QueueAction, QueueStep, RayEnd, RaySlab, RayStart, RayVerdict, Shade, SlabTest,
-    Stored, Verdict, Visibility, WalkEnd, Why, ZSort, geometry_term,
+    Connection, Gathered, GridEnter, GridExit, HitOutsideCell, Kind, LightTerm, Nearby, Nearest,
+    NodeVerdict, NodeVisit, PathStart, Photon, PhotonVerdict, PixelColour, PixelSample, Purpose,
+    QueueAction, QueueStep, RayEnd, RaySlab, RayStart, RayVerdict, Shade, SlabTest, Stored,
+    Verdict, Visibility, WalkEnd, Why, ZSort, geometry_term,
 };
+pub(crate) use log::LogReader;
+pub(crate) use log::Settings;
+pub(crate) use log::StrategyName;
+pub(crate) use log::Through;
+pub(crate) use log::Transport;
 #[cfg(feature = "schema")]
 pub(crate) use log::generator;
 pub(crate) use log::{EventWriter, write_event};
 pub use log::{
-    LOG_VERSION, LightOptions, LineSink, LogError, LogNames, LogReader, Settings, StrategyName,
-    Through, Transport, begins_log, write_log_head,
+    LOG_VERSION, LightOptions, LineSink, LogError, LogNames, begins_log, write_log_head,
 };
 #[cfg(feature = "schema")]
 pub use log::{scene_schema, trace_schema};
+pub(crate) use record::Counts;
+pub(crate) use record::Off;
+pub(crate) use record::Record;
+pub(crate) use record::Recorder;
+pub(crate) use record::Recording;
 pub use record::{
-    Budget, Counts, Filter, Item, Kinds, LightCount, Off, PathSieve, RayCount, RayNode, RayTree,
-    Record, Recorder, Recording, Region, SearchCount, Sink, TestCount, UsefulRays,
+    Budget, Filter, Item, Kinds, LightCount, PathSieve, RayCount, RayNode, RayTree, Region,
+    SearchCount, Sink, TestCount, UsefulRays,
 };

@@ -60,7 +60,7 @@
 //!
 //! The table is held by `tests/transports/effects.rs`.
 
-mod entry;
+pub(crate) mod entry;
 mod epsilon;
 mod eye;
 mod in_order;
@@ -68,18 +68,15 @@ mod light;
 mod log;
 mod ray_limit;
 pub mod simple;
-mod stopped;
+pub(crate) mod stopped;
 mod surface;
 #[expect(
     clippy::module_inception,
     reason = "the file is found by the name of its idea"
 )]
-mod tracer;
+pub(crate) mod tracer;
 
-pub use entry::{
-    ChosenTracer, check_light_of, follow_light, paths_behind_region, record_log, record_pixel,
-    render_heat, render_picture,
-};
+pub use entry::{check_light_of, follow_light, paths_behind_region, render_heat};
 pub use epsilon::{EPSILON, start_epsilon};
 pub use eye::{Heat, HeatLine, HeatOf, Picture, eye_samples, heat_values, render, trace_pixel};
 pub use light::{
@@ -88,6 +85,6 @@ pub use light::{
 };
 pub use log::{LogOptions, LogStopped, LoggedPaths, write_log};
 pub use ray_limit::MAX_RAYS;
-pub use stopped::Stopped;
+pub(crate) use stopped::Stopped;
 pub use surface::Surface;
-pub use tracer::Tracer;
+pub(crate) use tracer::Tracer;

@@ -24,7 +24,8 @@ use std::hint::black_box;
 use std::path::Path;
 use std::time::Instant;
 
-use raystep::{Loaded, NoFiles, load_bytes};
+use raystep::scene::Loaded;
+use raystep::{NoFiles, load_bytes};
 
 use crate::scenes::{mesh, spheres, text_of};
 

@@ -20,7 +20,7 @@ mod scenes;
 mod tables;
 
 use criterion::{Criterion, SamplingMode, Throughput};
-use raystep::Ray;
+use raystep::geometry::Ray;
 
 use crate::contenders::{Contender, contenders};
 use crate::scenes::{Objects, coherent, incoherent, mesh, scene, spheres};

@@ -23,9 +23,10 @@ use std::hint::black_box;
 use std::path::Path;
 use std::time::{Duration, Instant};
 
-use raystep::{
-    Exhaustive, Hit, Loaded, Off, Primitive, PrimitiveId, Ray, Scene, Shape, Strategy, TRange, load,
-};
+use raystep::geometry::{Ray, TRange};
+use raystep::scene::{Loaded, Primitive, PrimitiveId, Shape};
+use raystep::strategy::{Exhaustive, Hit, Strategy};
+use raystep::{Off, Scene, load};
 
 /// Eye rays in each direction.
 const SIDE: u32 = 64;

@@ -22,11 +22,10 @@ use std::io::{self, BufRead, BufReader, BufWriter, Write};
 use std::path::Path;
 use std::time::{Duration, Instant};
 
-use raystep::{
-    Event, Exhaustive, Kinds, LineSink, LogNames, LogOptions, LogReader, LogStopped, LoggedPaths,
-    Off, Record, Recorder, Recording, Region, Scene, Settings, Tracer, load, trace_pixel,
-    write_log, write_log_head,
-};
+use raystep::strategy::Exhaustive;
+use raystep::trace::{Kinds, LineSink, LogNames, Region, write_log_head};
+use raystep::tracer::{LogOptions, LogStopped, LoggedPaths, trace_pixel, write_log};
+use raystep::{Event, LogReader, Off, Record, Recorder, Recording, Scene, Settings, Tracer, load};
 use serde_json::Value;
 
 /// The scenes, each as a picture of 512 by 512 pixels, with pixels in which there is much to see.

@@ -3,7 +3,8 @@
 use std::f64::consts::TAU;
 
 use glam::DVec3;
-use raystep::{Shape, SlabBound, Volume, VolumeKind};
+use raystep::scene::Shape;
+use raystep::structure::{SlabBound, Volume, VolumeKind};
 use serde_json::Value;
 
 use super::{KINDS, around, brick, cone, ellipsoid, mesh, outline, polygon, scene, solid, sphere};
@@ -167,7 +168,7 @@ fn needles_and_polygons_of_any_size_and_place_lie_in_the_volume_around_them() {
         };
         let vertices = [vertex(), vertex(), vertex()];
         // thinner than the rounding of its place it is none
-        if raystep::Polygon::new(vertices.to_vec(), None).is_err() {
+        if raystep::geometry::Polygon::new(vertices.to_vec(), None).is_err() {
             continue;
         }
         checked += 1;

@@ -1,7 +1,8 @@
 //! The smallest sphere: no sphere around the object is smaller.
 
 use glam::{DMat3, DVec3};
-use raystep::{Sphere, Volume, VolumeKind};
+use raystep::geometry::Sphere;
+use raystep::structure::{Volume, VolumeKind};
 use serde_json::Value;
 
 use super::{around, cone, mesh, mesh_of, outline, polygon, solid};

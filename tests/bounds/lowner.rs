@@ -3,7 +3,8 @@
 use std::f64::consts::{PI, TAU};
 
 use glam::{DMat3, DVec3};
-use raystep::{OrientedEllipsoid, Volume, VolumeKind};
+use raystep::geometry::OrientedEllipsoid;
+use raystep::structure::{Volume, VolumeKind};
 use serde_json::Value;
 
 use super::{around, brick, cone, mesh, mesh_of, outline, polygon, solid};

@@ -3,10 +3,14 @@
 use std::path::Path;
 
 use raystep::explain::render;
+use raystep::geometry::TRange;
+use raystep::scene::Loaded;
+use raystep::structure::{Build, SlabChoice, VolumeKind};
+use raystep::trace::{BoundVerdict, Kind};
+use raystep::tracer::trace_pixel;
 use raystep::{
-    BoundVerdict, Build, Chosen, Event, Kind, Loaded, NoFiles, Record, Recording, Scene, Settings,
-    SlabChoice, StrategyName, StructureOptions, TRange, Through, Tracer, Transport, VolumeKind,
-    WorkedOptions, load, load_bytes, trace_pixel, worked_solution,
+    Chosen, Event, NoFiles, Record, Recording, Scene, Settings, StrategyName, StructureOptions,
+    Through, Tracer, Transport, WorkedOptions, load, load_bytes, worked_solution,
 };
 use serde_json::json;
 
@@ -141,7 +145,7 @@ fn near_and_far_of_a_slab_have_its_room_in_them() {
             slabs += 1;
             let planes = [(-line.room, step.d_min), (line.room, step.d_max)];
             let t = planes.map(|(room, d)| (line.s + room + d) * line.t_scale);
-            let raystep::SlabInterval::Between { near, far } = step.interval else {
+            let raystep::geometry::SlabInterval::Between { near, far } = step.interval else {
                 panic!("{step:?}");
             };
             assert_eq!((near, far), (t[0].min(t[1]), t[0].max(t[1])));

@@ -1,10 +1,11 @@
 //! With volumes around the objects every ray meets the same object at the same t, bit for bit.
 
 use glam::DVec3;
-use raystep::{
-    BoundVerdict, Bounded, BoundedObjects, Event, Exhaustive, Hit, Off, Ray, Recording, Scene,
-    SlabSet, Strategy, TRange, VolumeKind,
-};
+use raystep::geometry::{Ray, TRange};
+use raystep::strategy::{BoundedObjects, Exhaustive, Hit, Strategy};
+use raystep::structure::{SlabSet, VolumeKind};
+use raystep::trace::{BoundVerdict, Bounded};
+use raystep::{Event, Off, Recording, Scene};
 use serde_json::Value;
 
 use super::{KINDS, brick, cone, ellipsoid, mesh, outline, own_set, polygon, scene, solid, sphere};
@@ -95,7 +96,7 @@ fn ray(scene: &Scene, random: &mut Seeded) -> Ray {
 
 /// A ray at the very edge of an object as it is seen along the direction.
 fn grazing(scene: &Scene, direction: DVec3, random: &mut Seeded) -> Ray {
-    use raystep::Shape;
+    use raystep::scene::Shape;
     let across = random.across(direction);
     let edge = match &scene.primitives[random.index(scene.primitives.len())].shape {
         Shape::Sphere(sphere) => sphere.center + sphere.radius * across,

@@ -1,10 +1,10 @@
 //! The worked solution tells each volume and each slab, with numbers that come out.
 
 use glam::DVec3;
-use raystep::{
-    BoundedObjects, Recording, Scene, Settings, SlabSet, Through, Tracer, Transport, VolumeKind,
-    WorkedOptions, trace_pixel,
-};
+use raystep::strategy::BoundedObjects;
+use raystep::structure::{SlabSet, VolumeKind};
+use raystep::tracer::trace_pixel;
+use raystep::{Recording, Scene, Settings, Through, Tracer, Transport, WorkedOptions};
 
 use crate::worked_solution::worked_text;
 
@@ -130,7 +130,10 @@ fn a_parallel_ray_is_told_by_where_its_s_lies() {
     ]);
     let strategy = BoundedObjects::new(&scene, VolumeKind::Slabs, &SlabSet::AXES);
     let mut recording = Recording::new(Vec::new());
-    use raystep::{Event, Purpose, Ray, RayEnd, RayStart, RayVerdict, Recorder, Strategy, TRange};
+    use raystep::geometry::{Ray, TRange};
+    use raystep::strategy::Strategy;
+    use raystep::trace::{Purpose, RayEnd, RayStart, RayVerdict};
+    use raystep::{Event, Recorder};
     let ray = Ray::new(DVec3::new(0.5, 0.5, 9.0), -DVec3::Z);
     recording.note(|| {
         Event::Ray(RayStart {

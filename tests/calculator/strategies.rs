@@ -1,6 +1,7 @@
 //! The search of every strategy and what it built, computed again.
 
-use raystep::{Build, Settings, SlabChoice, StrategyName, StructureOptions, VolumeKind};
+use raystep::structure::{Build, SlabChoice, VolumeKind};
+use raystep::{Settings, StrategyName, StructureOptions};
 
 use super::{check_line, check_with, solution};
 

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
 
-use raystep::{cost_chart, text_width};
+use raystep::figure::{cost_chart, text_width};
 use roxmltree::{Document, Node};
 
 use super::{lesson, made_up};

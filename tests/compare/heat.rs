@@ -1,9 +1,10 @@
 //! Heat maps: what two pixels cost, counted by hand, and the colours that show it.
 
-use raystep::{
-    Build, DepthFirst, Exhaustive, HeatLine, HeatOf, NoFiles, Scene, SlabSet, Strategy, Through,
-    Tracer, Transport, heat_map, heat_values, load_bytes, render,
-};
+use raystep::figure::heat_map;
+use raystep::strategy::{DepthFirst, Exhaustive, Strategy};
+use raystep::structure::{Build, SlabSet};
+use raystep::tracer::{HeatLine, HeatOf, heat_values, render};
+use raystep::{NoFiles, Scene, Through, Tracer, Transport, load_bytes};
 
 use crate::cli::run::Folder;
 

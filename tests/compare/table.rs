@@ -85,7 +85,10 @@ fn the_cheapest_strategy_comes_first_with_the_numbers_of_the_json() {
     }
     let rays = number(&json["strategies"][0], "rays");
     assert!(
-        text.contains(&format!("{} rays; sorted by", raystep::grouped(rays))),
+        text.contains(&format!(
+            "{} rays; sorted by",
+            raystep::explain::grouped(rays)
+        )),
         "{text}"
     );
 }
@@ -121,4 +124,8 @@ fn wide_is_refused_where_it_changes_nothing() {
         message.starts_with("error: --wide has no effect with --format csv"),
         "{message}"
     );
+    let message = folder
+        .run("compare scene.json --wide --transports")
+        .refused();
+    assert!(message.contains("cannot be used with"), "{message}");
 }

@@ -3,7 +3,8 @@
 use std::f64::consts::TAU;
 
 use glam::DVec3;
-use raystep::{Grid, GridOptions, PrimitiveId};
+use raystep::scene::PrimitiveId;
+use raystep::structure::{Grid, GridOptions};
 
 use crate::grid_exact::scene;
 use crate::seeded::Seeded;

@@ -1,7 +1,9 @@
 //! Which cells list an object.
 
 use glam::DVec3;
-use raystep::{AssignStep, Grid, GridError, GridOptions, Lists, PrimitiveId, Ray, Share, TRange};
+use raystep::geometry::{Ray, TRange};
+use raystep::scene::PrimitiveId;
+use raystep::structure::{AssignStep, Grid, GridError, GridOptions, Lists, Share};
 
 use crate::grid_exact::{scene, sphere};
 

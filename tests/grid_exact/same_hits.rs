@@ -1,10 +1,11 @@
 //! The grid finds what is found when every object is tested: the same object at the same t, bit for bit.
 
 use glam::DVec3;
-use raystep::{
-    Event, Exhaustive, GridOptions, Lists, Off, Ray, Record, Recording, Scene, Strategy, TRange,
-    UniformGrid, WalkEnd,
-};
+use raystep::geometry::{Ray, TRange};
+use raystep::strategy::{Exhaustive, Strategy, UniformGrid};
+use raystep::structure::{GridOptions, Lists};
+use raystep::trace::WalkEnd;
+use raystep::{Event, Off, Record, Recording, Scene};
 
 use crate::grid_exact::{scene, sphere};
 use crate::seeded::Seeded;

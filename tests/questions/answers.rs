@@ -4,7 +4,8 @@ use std::collections::BTreeMap;
 use std::fs::File;
 use std::io::BufReader;
 
-use raystep::{Event, LogReader, NodeVerdict, Record, Scene, Verdict, Why};
+use raystep::trace::{NodeVerdict, Verdict, Why};
+use raystep::{Event, LogReader, Record, Scene};
 use serde_json::{Value, json};
 
 use super::Rows;

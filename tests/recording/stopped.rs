@@ -2,9 +2,11 @@
 
 use std::ops::ControlFlow;
 
+use raystep::strategy::{Exhaustive, Strategy};
+use raystep::trace::{Budget, Sink};
+use raystep::tracer::trace_pixel;
 use raystep::{
-    Budget, Chosen, Exhaustive, Off, Record, Recorder, Recording, Scene, Settings, Sink, Stopped,
-    Strategy, Through, Tracer, Transport, trace_pixel,
+    Chosen, Off, Record, Recorder, Recording, Scene, Settings, Stopped, Through, Tracer, Transport,
 };
 
 use crate::trace_log::strategies::{ways, with_slabs};

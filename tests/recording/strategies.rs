@@ -1,9 +1,8 @@
 //! Every strategy paints the same picture, and its counts are those of its log.
 
-use raystep::{
-    Counts, LogReader, Off, Picture, Recorder, Region, Scene, Settings, StrategyName, Through,
-    render, write_log,
-};
+use raystep::trace::Region;
+use raystep::tracer::{Picture, render, write_log};
+use raystep::{Counts, LogReader, Off, Recorder, Scene, Settings, StrategyName, Through};
 
 use super::{name, on, scenes, ways, ways_through};
 use crate::trace_log::{all_of, strategy, tracer};

@@ -5,10 +5,12 @@ mod searched;
 use std::ops::ControlFlow;
 
 use glam::DVec3;
-use raystep::{
-    Counts, Event, Kind, LightTerm, Nearest, PlaneVerdict, Purpose, RayEnd, RayStart, RayVerdict,
-    Record, RootVerdict, Roots, Scene, Settings, Shade, Shape, Sink, Visibility,
+use raystep::geometry::{PlaneVerdict, RootVerdict, Roots};
+use raystep::scene::Shape;
+use raystep::trace::{
+    Kind, LightTerm, Nearest, Purpose, RayEnd, RayStart, RayVerdict, Shade, Sink, Visibility,
 };
+use raystep::{Counts, Event, Record, Scene, Settings};
 
 use searched::Searched;
 

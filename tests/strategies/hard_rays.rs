@@ -1,14 +1,14 @@
 //! Rays about which strategies are most likely to disagree: in the plane of a polygon, from and towards its edges,
 //! with a range that ends next to a hit, at scales from 1e−45 to 1e45 and far from the world's origin.
 //!
-//! Two cases are excepted, as [`raystep::Strategy`] says, and no others: a hit within 4 ulp of the end of the range,
+//! Two cases are excepted, as [`raystep::strategy::Strategy`] says, and no others: a hit within 4 ulp of the end of the range,
 //! and two hits within 1e−12 of each other.
 
 use glam::DVec3;
-use raystep::{
-    AxisBox, Cone, Ellipsoid, Exhaustive, Hit, NoFiles, Object, Off, Polygon, Primitive,
-    PrimitiveId, Ray, Scene, Shape, Sides, Sphere, Strategy, TRange, load_bytes,
-};
+use raystep::geometry::{AxisBox, Cone, Ellipsoid, Polygon, Ray, Sides, Sphere, TRange};
+use raystep::scene::{Object, Primitive, PrimitiveId, Shape};
+use raystep::strategy::{Exhaustive, Hit, Strategy};
+use raystep::{NoFiles, Off, Scene, load_bytes};
 
 use super::{Question, asked, both_drivers};
 use crate::seeded::Seeded;

@@ -6,7 +6,10 @@
 )]
 
 use glam::DVec3;
-use raystep::{AxisBox, Cone, Ellipsoid, Hit, Polygon, Ray, Scene, Shape, Sides, Sphere, TRange};
+use raystep::Scene;
+use raystep::geometry::{AxisBox, Cone, Ellipsoid, Polygon, Ray, Sides, Sphere, TRange};
+use raystep::scene::Shape;
+use raystep::strategy::Hit;
 
 use super::hard_rays::{Found, Queries, Query, scene};
 use super::{asked, both_drivers};

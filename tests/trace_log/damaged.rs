@@ -1,6 +1,8 @@
 //! Damaged logs: the message names the file, the line and what is wrong in it.
 
-use raystep::{LogReader, Record, Region, Settings, WorkedOptions, pixel_json};
+use raystep::explain::pixel_json;
+use raystep::trace::Region;
+use raystep::{LogReader, Record, Settings, WorkedOptions};
 
 use crate::worked_solution::worked_text;
 
@@ -74,7 +76,7 @@ fn the_log_is_good_before_it_is_damaged() {
 
 #[test]
 fn what_is_no_log_is_told_so() {
-    let no_log = "a.jsonl: this is not a log: the first line has no \"kind\":\"trace\"\n  make one";
+    let no_log = "a.jsonl: this is no log: the first line has no \"kind\":\"trace\"\n  make one";
     refused(b"", no_log);
     refused(b"\n", no_log);
     refused(b"{\"kind\":\"object\",\"name\":\"ball\"}\n", no_log);
@@ -296,7 +298,7 @@ fn a_line_that_was_lost_moved_or_changed_is_told_by_its_numbers() {
     let good = good();
     let lines: Vec<_> = good.lines().collect();
     let with = |lines: &[&str]| lines.join("\n") + "\n";
-    let missing = "step 3 of pixel [0,0] is missing: a line is lost or in the wrong place";
+    let missing = "step 3 of pixel [0,0] was to follow: a line is missing or out of its place";
     let mut lost = lines.clone();
     let at = lines
         .iter()
@@ -360,7 +362,7 @@ fn no_damage_makes_the_reader_panic_nor_what_is_made_of_its_records() {
 
 /// Reads a log and makes of it what can be made.
 fn use_all(bytes: &[u8]) -> Result<(), String> {
-    let told = |error: raystep::LogError| error.to_string();
+    let told = |error: raystep::trace::LogError| error.to_string();
     let reader = LogReader::open("a.jsonl", bytes).map_err(told)?;
     let (scene, settings, records) = reader.pixel([0, 0]).map_err(told)?;
     for ray in [None, Some(0), Some(1)] {

@@ -1,6 +1,8 @@
 //! Logs that name what cannot be there: the message says what there is.
 
-use raystep::{GridOptions, LogReader, Record, Region, Settings, StrategyName, StructureOptions};
+use raystep::structure::GridOptions;
+use raystep::trace::Region;
+use raystep::{LogReader, Record, Settings, StrategyName, StructureOptions};
 
 use super::{all_of, built, log};
 

@@ -1,8 +1,10 @@
 //! Logs of light on its way: what of a whole log belongs to one pixel.
 
+use raystep::explain::pixel_json;
+use raystep::trace::{Kinds, PathSieve, Region, Sink};
+use raystep::tracer::{LightPass, LogOptions, LoggedPaths, write_log};
 use raystep::{
-    Chosen, Event, Kinds, LightPass, LogOptions, LogReader, LoggedPaths, Off, PathSieve, Record,
-    Region, Scene, Settings, Sink, Tracer, Transport, WorkedOptions, pixel_json, write_log,
+    Chosen, Event, LogReader, Off, Record, Scene, Settings, Tracer, Transport, WorkedOptions,
 };
 
 use crate::worked_solution::worked_text;

@@ -2,10 +2,10 @@
 
 use std::collections::BTreeMap;
 
-use raystep::{
-    Event, Kind, RaySlab, Settings, SlabChoice, SlabInterval, StrategyName, StructureOptions,
-    VolumeKind,
-};
+use raystep::geometry::SlabInterval;
+use raystep::structure::{SlabChoice, VolumeKind};
+use raystep::trace::{Kind, RaySlab};
+use raystep::{Event, Settings, StrategyName, StructureOptions};
 use serde_json::{Value, json};
 
 use super::{all_of, built, log, pixels_of, records, strategies, verdicts};
@@ -84,7 +84,7 @@ fn near_and_far_of_each_slab_follow_from_its_s_t_and_room_which_each_ray_has_onc
                 .filter(|record| record.event.kind() == Kind::Ray);
             let traced = rays.filter(|ray| {
                 let mut ends = records.iter().filter(|record| record.ray == ray.ray);
-                !ends.any(|record| matches!(record.event, Event::RayEnd(end) if end.verdict == raystep::RayVerdict::DepthLimit))
+                !ends.any(|record| matches!(record.event, Event::RayEnd(end) if end.verdict == raystep::trace::RayVerdict::DepthLimit))
             });
             let counts: Vec<usize> = of_ray.values().map(Vec::len).collect();
             let expected = if directions == 0 { 0 } else { traced.count() };

@@ -1,9 +1,11 @@
 //! Logs of every strategy: with the steps of its search, and with the building before the first pixel.
 
+use raystep::geometry::SlabInterval;
+use raystep::structure::{Build, GridOptions, Lists, SlabChoice, VolumeKind};
+use raystep::trace::{Kind, LineSink, LogNames, QueueAction, Region, Sink, write_log_head};
 use raystep::{
-    Build, Event, GridOptions, Kind, LineSink, Lists, LogNames, LogReader, QueueAction, Recording,
-    Region, Scene, Settings, Sink, SlabChoice, SlabInterval, StrategyName, StructureOptions,
-    Through, VolumeKind, WorkedOptions, write_log_head,
+    Event, LogReader, Recording, Scene, Settings, StrategyName, StructureOptions, Through,
+    WorkedOptions,
 };
 
 use crate::worked_solution::worked_text;
@@ -251,7 +253,7 @@ fn a_line_of_the_building_that_was_lost_is_told() {
         .and_then(Iterator::collect::<Result<Vec<_>, _>>)
         .unwrap_err()
         .to_string();
-    let expected = "step 1 is missing: a line is lost or in the wrong place";
+    let expected = "step 1 was to follow: a line is missing or out of its place";
     assert!(error.contains(expected), "{error}");
 }
 
@@ -261,9 +263,9 @@ fn a_second_pixel_after_a_building_begins_again_at_0() {
     let strategy = super::strategy(&scene, &settings);
     let tracer = super::tracer(&scene, &strategy, &settings);
     let mut recording = Recording::new(Vec::new());
-    raystep::Strategy::note_building(&strategy, &mut recording);
+    raystep::strategy::Strategy::note_building(&strategy, &mut recording);
     for _ in 0..2 {
-        raystep::trace_pixel(&tracer, pixel, settings.through, &mut recording).unwrap();
+        raystep::tracer::trace_pixel(&tracer, pixel, settings.through, &mut recording).unwrap();
     }
     let all = recording.into_sink();
     let starts = all

@@ -2,7 +2,9 @@
 
 use std::collections::BTreeSet;
 
-use raystep::{Settings, StrategyName, StructureOptions, VolumeKind, trace_schema};
+use raystep::structure::VolumeKind;
+use raystep::trace::trace_schema;
+use raystep::{Settings, StrategyName, StructureOptions};
 use serde_json::Value;
 
 use super::{all_of, built, cases, log, strategies};

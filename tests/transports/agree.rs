@@ -2,7 +2,8 @@
 //! path sampler of another make find the same.
 
 use glam::DVec3;
-use raystep::{LightOptions, Transport};
+use raystep::Transport;
+use raystep::trace::LightOptions;
 
 use super::room::{radiance, scene};
 use super::{Block, Estimate, check_same, pictures};

@@ -3,7 +3,8 @@
 use std::f64::consts::PI;
 
 use glam::{DVec2, DVec3};
-use raystep::{LightOptions, Off, Transport};
+use raystep::trace::LightOptions;
+use raystep::{Off, Transport};
 
 use super::{
     Block, DEVIATIONS, Estimate, Scene, built, check_same, light_pass, pictures, settings,

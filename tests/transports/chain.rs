@@ -11,7 +11,9 @@
 use std::f64::consts::PI;
 
 use glam::DVec3;
-use raystep::{Connection, Event, PhotonVerdict, Record, Scene, Shape};
+use raystep::scene::Shape;
+use raystep::trace::{Connection, PhotonVerdict};
+use raystep::{Event, Record, Scene};
 
 /// A vertex, from the light or the eye on.
 #[derive(Clone, Copy)]

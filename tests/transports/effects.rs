@@ -3,10 +3,9 @@
 //! Each effect is alone in its scene: the picture is black if the kind does not see it. Those that see it see
 //! comparable amounts of it, so that one stray photon does not pass for an effect. How well they agree is asked elsewhere.
 
-use raystep::{
-    Exhaustive, LightPass, NoFiles, Off, Scene, Settings, Through, Tracer, Transport, check_light,
-    load_bytes, render,
-};
+use raystep::strategy::Exhaustive;
+use raystep::tracer::{LightPass, check_light, render};
+use raystep::{NoFiles, Off, Scene, Settings, Through, Tracer, Transport, load_bytes};
 
 /// A lamp beside a table, which is lit from above, over a floor. The table's underside faces away from the lamp:
 /// light comes to it from the floor alone.

@@ -4,7 +4,8 @@
 use std::f64::consts::PI;
 
 use glam::DVec3;
-use raystep::{Event, LightOptions, Recorder, Scene, Transport};
+use raystep::trace::LightOptions;
+use raystep::{Event, Recorder, Scene, Transport};
 
 use super::{
     Block, DEVIATIONS, Estimate, built, check_same, light_pass, picture, pictures, settings,

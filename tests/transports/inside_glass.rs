@@ -10,7 +10,8 @@
 use std::f64::consts::PI;
 
 use glam::{DVec2, DVec3};
-use raystep::{LightOptions, Scene, Transport};
+use raystep::trace::LightOptions;
+use raystep::{Scene, Transport};
 
 use super::{Block, Estimate, built, check_same, pictures};
 

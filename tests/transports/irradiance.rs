@@ -4,10 +4,10 @@
 use std::f64::consts::PI;
 
 use glam::{DVec2, DVec3};
-use raystep::{
-    Event, Exhaustive, Gathered, LightOptions, LightPass, Off, Recorder, Scene, Settings, Through,
-    Tracer, Transport, trace_pixel,
-};
+use raystep::strategy::Exhaustive;
+use raystep::trace::{Gathered, LightOptions};
+use raystep::tracer::{LightPass, trace_pixel};
+use raystep::{Event, Off, Recorder, Scene, Settings, Through, Tracer, Transport};
 
 use super::{DEVIATIONS, Estimate, built, light_pass, settings};
 

@@ -1,7 +1,8 @@
 //! The ledger: what the lamps send out is absorbed, leaves the scene, or is cut off; nothing else becomes of it.
 
 use glam::DVec3;
-use raystep::{Counts, LightCount, LightOptions, Scene, Transport};
+use raystep::trace::{LightCount, LightOptions};
+use raystep::{Counts, Scene, Transport};
 
 use super::{DEVIATIONS, built, light_pass, settings};
 

@@ -4,10 +4,12 @@
 use std::ops::ControlFlow;
 
 use glam::DVec3;
+use raystep::strategy::{Exhaustive, Strategy};
+use raystep::trace::{Kinds, LightOptions, Region, Sink};
+use raystep::tracer::{LightPass, LogOptions, LoggedPaths, render, trace_pixel, write_log};
 use raystep::{
-    Chosen, Counts, Exhaustive, Kinds, LightOptions, LightPass, LogOptions, LoggedPaths, Off,
-    Record, Recorder, Recording, Region, Scene, Settings, Sink, Strategy, StrategyName, Tracer,
-    Transport, render, trace_pixel, write_log,
+    Chosen, Counts, Off, Record, Recorder, Recording, Scene, Settings, StrategyName, Tracer,
+    Transport,
 };
 
 use super::ledger::scene;

@@ -3,10 +3,11 @@
 use std::f64::consts::PI;
 
 use glam::DVec3;
-use raystep::{
-    Alternative, Connection, Emission, Event, Exhaustive, LightOptions, Off, Record, Recording,
-    Scene, Settings, Through, Tracer, Transport, trace_pixel,
-};
+use raystep::scene::Emission;
+use raystep::strategy::Exhaustive;
+use raystep::trace::{Alternative, Connection, LightOptions};
+use raystep::tracer::trace_pixel;
+use raystep::{Event, Off, Record, Recording, Scene, Settings, Through, Tracer, Transport};
 
 use super::chain::{Chain, add_surfaces, by_window_area, end};
 use super::{built, light_pass, settings};

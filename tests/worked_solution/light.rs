@@ -1,8 +1,11 @@
 //! Light on its way, as one works it out by hand: a lamp above one floor.
 
+use raystep::strategy::Exhaustive;
+use raystep::trace::{Kind, Kinds, Region};
+use raystep::tracer::{LightPass, paths_behind, trace_pixel};
 use raystep::{
-    Exhaustive, Kind, Kinds, LightPass, NoFiles, Off, Record, Recording, Region, Scene, Settings,
-    Through, Tracer, Transport, WorkedOptions, load_bytes, paths_behind, trace_pixel,
+    NoFiles, Off, Record, Recording, Scene, Settings, Through, Tracer, Transport, WorkedOptions,
+    load_bytes,
 };
 
 use crate::worked_solution::worked_text;
@@ -49,7 +52,7 @@ pub(crate) fn built(text: &str) -> Scene {
     loaded.build().unwrap()
 }
 
-/// So few paths that they are traced in no time, and an aperture so wide that some arrive.
+/// So few paths that they are followed in no time, and an aperture so wide that some arrive.
 pub(crate) fn settings(transport: Transport) -> Settings {
     let mut settings = Settings {
         transport,

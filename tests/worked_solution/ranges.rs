@@ -6,10 +6,14 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
+use raystep::explain::{Line, Part, Section, Tone, strategies_to_compare};
+use raystep::scene::{Emission, Light};
+use raystep::strategy::Strategy;
+use raystep::trace::{Purpose, Region};
+use raystep::tracer::{LightPass, paths_behind, trace_pixel};
 use raystep::{
-    Chosen, Emission, Event, Light, LightPass, Line, Off, Page, Part, Purpose, Record, Recording,
-    Region, Scene, Section, Settings, Strategy, StrategyName, Through, Tone, Tracer, Transport,
-    WorkedOptions, load, paths_behind, strategies_to_compare, trace_pixel, worked_solution,
+    Chosen, Event, Off, Page, Record, Recording, Scene, Settings, StrategyName, Through, Tracer,
+    Transport, WorkedOptions, load, worked_solution,
 };
 
 /// A step by its section and its number: the building, then the paths by their numbers, then the pixel.

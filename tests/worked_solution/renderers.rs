@@ -2,9 +2,9 @@
 
 use pulldown_cmark::{Event, Options, Parser, Tag, TagEnd};
 use raystep::explain::render;
-use raystep::{
-    Fold, Line, Page, Part, Settings, Tone, Unfold, WorkedOptions, printable, worked_solution,
-};
+use raystep::explain::{Fold, Line, Part, Tone, Unfold};
+use raystep::scene::printable;
+use raystep::{Page, Settings, WorkedOptions, worked_solution};
 
 use super::light::built;
 

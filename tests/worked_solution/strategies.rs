@@ -4,7 +4,8 @@
     reason = "snapbox writes the snapshots so"
 )]
 
-use raystep::{Kind, Kinds, Settings, StrategyName, WorkedOptions};
+use raystep::trace::{Kind, Kinds};
+use raystep::{Settings, StrategyName, WorkedOptions};
 
 use crate::worked_solution::worked_text;
 use snapbox::{assert_data_eq, str};

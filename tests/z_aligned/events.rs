@@ -1,10 +1,13 @@
 //! What the z-aligned search records, and what is told of it.
 
 use glam::DVec3;
+use raystep::geometry::{AxisBox, Ray, Sphere, TRange};
+use raystep::scene::{PrimitiveId, Shape};
+use raystep::strategy::{Hit, Strategy, ZAligned};
+use raystep::trace::{Aligned, AlignedPart, Kind};
+use raystep::tracer::trace_pixel;
 use raystep::{
-    Aligned, AlignedPart, AxisBox, Event, Hit, Kind, NoFiles, Off, PrimitiveId, Ray, Recording,
-    Settings, Shape, Sphere, Strategy, TRange, Through, Tracer, Transport, WorkedOptions, ZAligned,
-    load_bytes, trace_pixel,
+    Event, NoFiles, Off, Recording, Settings, Through, Tracer, Transport, WorkedOptions, load_bytes,
 };
 
 use crate::worked_solution::worked_text;

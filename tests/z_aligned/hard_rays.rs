@@ -1,7 +1,9 @@
 //! Random shapes, and rays on which two searches disagree, if they ever do.
 
 use glam::DVec3;
-use raystep::{AxisBox, Cone, Ellipsoid, Polygon, Ray, Scene, Shape, Sphere};
+use raystep::Scene;
+use raystep::geometry::{AxisBox, Cone, Ellipsoid, Polygon, Ray, Sphere};
+use raystep::scene::Shape;
 
 use crate::seeded::Seeded;
 

@@ -21,7 +21,7 @@ mod leaves;
 mod light_path;
 mod misses;
 mod nodes;
-mod options;
+pub(crate) mod options;
 mod pen;
 mod photon;
 mod pixel;
@@ -41,7 +41,7 @@ mod vertex;
 mod volumes;
 mod weight;
 
-pub use options::WorkedOptions;
+pub(crate) use options::WorkedOptions;
 
 use crate::explain::page::Page;
 use crate::explain::worked::built_again::BuiltAgain;

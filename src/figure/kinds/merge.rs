@@ -156,7 +156,7 @@ impl Joined {
             return Err(FigureError::new(
                 "scene",
                 "no two bounds were joined while the hierarchy was built",
-                "draw a scene with two or more objects",
+                "take a scene of two objects or more",
             ));
         };
         let mut steps = merges;

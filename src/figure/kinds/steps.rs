@@ -33,8 +33,8 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
     if walk.visits.is_empty() {
         return Err(FigureError::new(
             "pixel",
-            "the ray misses the grid",
-            "name a pixel whose ray visits a cell",
+            "the ray passes the grid by",
+            "choose a pixel whose ray pierces a cell",
         ));
     }
     let rows: Vec<Row> = (0..walk.visits.len())
@@ -220,7 +220,7 @@ impl Table {
             let most = ((frame.size().y / em - HEAD) / ROW).floor();
             return Err(FigureError::new(
                 "pixel",
-                format!("the ray visits {rows} cells, and the table has room for {most}"),
+                format!("the ray pierces {rows} cells, and the table has room for {most}"),
                 "choose another pixel, or a coarser grid with \"structure\": {\"grid\": {\"resolution\": …}}",
             ));
         }
@@ -311,8 +311,8 @@ fn in_words(walk: &Walk, rows: &[Row]) -> String {
         let across: Vec<&str> = row.chosen.iter().map(|&axis| ["x", "y", "z"][axis]).collect();
         let t_out = quantity(walk.visits[place].cell.t_out);
         let then = match across.as_slice() {
-            [] => "the traversal ends with a hit".into(),
-            _ if row.then == "leaves" => format!("the ray leaves the grid at t = {t_out}"),
+            [] => "the walk ends with a hit".into(),
+            _ if row.then == "leaves" => format!("it leaves the grid at t = {t_out}"),
             _ => format!("the smallest is across {}: {}", across.join(" and "), row.then),
         };
         format!(

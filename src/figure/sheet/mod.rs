@@ -3,7 +3,7 @@
 //! `canvas` alone names the crate `svg` and formats the numbers of a drawing.
 
 pub(in crate::figure) mod buckets;
-pub(in crate::figure) mod canvas;
+pub(crate) mod canvas;
 pub(in crate::figure) mod font;
 pub(in crate::figure) mod frame;
 mod labels;
@@ -12,7 +12,7 @@ pub(in crate::figure) mod look;
     clippy::module_inception,
     reason = "the file is found by the name of its idea"
 )]
-mod sheet;
+pub(crate) mod sheet;
 
-pub use sheet::Width;
+pub(crate) use sheet::Width;
 pub(in crate::figure) use sheet::{Anchor, Form, Label, Mark, Sheet, Words, letters_frame};

@@ -1,8 +1,8 @@
 //! Reading scenes: JSON, NFF and OBJ, by the file's ending, or by its content from standard input.
 
 mod bounded;
-mod error;
-mod files;
+pub(crate) mod error;
+pub(crate) mod files;
 mod json;
 mod loaded;
 mod locate;
@@ -13,8 +13,10 @@ mod words;
 
 pub(crate) use bounded::gibibytes;
 pub use bounded::{LARGEST_FILE, LONGEST_LINE, ReadEnd, read_up_to};
-pub use error::{LoadError, Place, SchemaOf};
-pub use files::{Files, IsOutside, NoFiles};
+pub(crate) use error::LoadError;
+pub use error::{Place, SchemaOf};
+pub(crate) use files::Files;
+pub use files::IsOutside;
 pub(crate) use json::parse_json;
 pub use loaded::Loaded;
 pub(crate) use locate::line_of;

@@ -26,7 +26,7 @@ pub enum Link {
         /// How many.
         count: u32,
     },
-    /// Objects, which stand one after the other in [`Hierarchy::order`].
+    /// Objects, which stand one after the other in [`Hierarchy::order`](crate::structure::Hierarchy::order).
     Objects {
         /// The first of them.
         first: u32,

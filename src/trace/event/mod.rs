@@ -11,7 +11,7 @@ mod kind;
 mod light;
 pub(in crate::trace) mod place;
 mod search;
-mod table;
+pub(crate) mod table;
 mod tested;
 mod verdict;
 mod words;
@@ -19,10 +19,11 @@ mod working;
 
 pub use light::geometry_term;
 pub use search::{BoundVerdict, Bounded};
+pub(crate) use table::Event;
 pub use table::{
-    Aligned, Alternative, Arrival, BoundTest, CellVisit, Connection, Event, Gathered, GridEnter,
-    GridExit, HitOutsideCell, Kind, LightTerm, Nearby, Nearest, NodeVisit, PathStart, Photon,
-    PixelColour, PixelSample, QueueStep, RayEnd, RaySlab, RayStart, Shade, SlabTest, Stored, ZSort,
+    Aligned, Alternative, Arrival, BoundTest, CellVisit, Connection, Gathered, GridEnter, GridExit,
+    HitOutsideCell, Kind, LightTerm, Nearby, Nearest, NodeVisit, PathStart, Photon, PixelColour,
+    PixelSample, QueueStep, RayEnd, RaySlab, RayStart, Shade, SlabTest, Stored, ZSort,
 };
 pub use words::{
     AlignedPart, NodeVerdict, PhotonVerdict, Purpose, QueueAction, RayVerdict, Verdict, Visibility,

@@ -17,10 +17,10 @@ mod lines;
 mod name_table;
 mod names;
 mod place;
-mod reader;
+pub(crate) mod reader;
 #[cfg(feature = "schema")]
 mod schema;
-mod settings;
+pub(crate) mod settings;
 
 pub use error::LogError;
 pub(crate) use fast::EventWriter;
@@ -29,9 +29,13 @@ pub use light_options::LightOptions;
 pub use line_sink::LineSink;
 pub(crate) use line_writer::write_event;
 pub use names::LogNames;
-pub use reader::{LogReader, begins_log};
+pub(crate) use reader::LogReader;
+pub use reader::begins_log;
 #[cfg(feature = "schema")]
 pub(crate) use schema::generator;
 #[cfg(feature = "schema")]
 pub use schema::{scene_schema, trace_schema};
-pub use settings::{Settings, StrategyName, Through, Transport};
+pub(crate) use settings::Settings;
+pub(crate) use settings::StrategyName;
+pub(crate) use settings::Through;
+pub(crate) use settings::Transport;

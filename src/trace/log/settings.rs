@@ -84,13 +84,13 @@ pub enum StrategyName {
     /// Every object, as in Fig. 15.56.
     #[default]
     Exhaustive,
-    /// Every object whose bounding volume the ray hits.
+    /// Every object whose bounding volume is met.
     Bounds,
-    /// A hierarchy of bounding volumes, traversed depth first.
+    /// A hierarchy of bounding volumes, walked depth first.
     Hierarchy,
-    /// A hierarchy of bounding volumes, traversed nearest node first with a heap.
+    /// A hierarchy of bounding volumes, walked in the order of distance.
     Heap,
-    /// The objects in the cells of a uniform grid, cell by cell along the ray.
+    /// The cells of a uniform grid, one after the other along the ray.
     Grid,
     /// Every object, in a frame in which the ray is the z axis.
     ZAligned,
@@ -101,21 +101,21 @@ pub enum StrategyName {
 #[cfg_attr(feature = "schema", derive(JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 pub enum Transport {
-    /// Rays from the eye only; no shadow rays, so no shadows.
+    /// From the eye alone; no rays to lights, so no shadows.
     #[doc(alias = "ray casting")]
     Backward,
-    /// Rays from the eye, and a shadow ray from each point to each light.
+    /// From the eye, with a ray to each light from each point.
     #[doc(alias = "Whitted ray tracing")]
     #[default]
     HybridLight,
-    /// Rays from the lights only; those that pass the window into the eye make the picture.
+    /// From the lights alone; what passes the window into the eye makes the picture.
     #[doc(alias = "light tracing")]
     #[doc(alias = "particle tracing")]
     Forward,
-    /// Light is stored on the surfaces; then rays from the eye gather it (photon mapping).
+    /// From the lights, stored on the surfaces; then from the eye, gathering what is stored.
     #[doc(alias = "photon mapping")]
     HybridStored,
-    /// Paths from the lights and from the eye, connected by lines (bidirectional path tracing).
+    /// From the lights and from the eye; lines connect the two.
     #[doc(alias = "bidirectional path tracing")]
     #[doc(alias = "BDPT")]
     #[doc(alias = "path tracing")]
@@ -151,12 +151,12 @@ pub enum Through {
     /// One ray through its centre.
     #[default]
     Centres,
-    /// Four rays through its corners; the pixel is their mean. A picture shares them:
+    /// Four rays through its corners, of which the pixel is the mean. A picture shares them:
     /// (width + 1) × (height + 1) in all.
     Corners,
 }
 
-/// Only what matters is written: light options if light is traced, and values that differ from the default.
+/// Written is what matters: options about light where light is followed, and what is not as usual.
 impl Serialize for Settings {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         /// More than there are: JSON does not need the number.

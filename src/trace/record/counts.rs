@@ -23,7 +23,7 @@ pub struct Counts {
     /// Purposes of the rays that have started and not ended.
     open: Vec<Purpose>,
     /// The volume of an object was met, and the object was not met since.
-    wasted: bool,
+    in_vain: bool,
 }
 
 /// Rays of one purpose.
@@ -74,7 +74,7 @@ pub struct SearchCount {
     /// Bounding volumes tested, and how many of them were met where it counts.
     pub bounds: TestCount,
     /// Volumes of objects that were met, and then the object was not.
-    pub wasted: u64,
+    pub in_vain: u64,
     /// Slabs tested: fewer than bounds times directions, since a bound is left as soon as near and far cross.
     pub slabs: u64,
     /// Nodes whose children or objects were looked at.
@@ -255,9 +255,9 @@ impl SearchCount {
     pub fn named(&self) -> [(&'static str, u64); 14] {
         [
             ("bound tests", self.bounds.tests),
-            ("bounds hit", self.bounds.hits),
+            ("bounds met", self.bounds.hits),
             ("bounds missed", self.bounds.misses),
-            ("bounds wasted", self.wasted),
+            ("bounds met in vain", self.in_vain),
             ("slab tests", self.slabs),
             ("nodes entered", self.entered),
             ("nodes rejected", self.rejected),
@@ -273,7 +273,7 @@ impl SearchCount {
 
     fn add(&mut self, other: &Self) {
         self.bounds.sum(&other.bounds);
-        self.wasted += other.wasted;
+        self.in_vain += other.in_vain;
         self.slabs += other.slabs;
         self.entered += other.entered;
         self.rejected += other.rejected;
@@ -347,10 +347,10 @@ impl Counts {
         let search = &mut self.search;
         match event {
             Event::BoundTest(test) => {
-                search.wasted += u64::from(std::mem::take(&mut self.wasted));
+                search.in_vain += u64::from(std::mem::take(&mut self.in_vain));
                 let met = test.verdict == BoundVerdict::Hit;
                 search.bounds.add(met);
-                self.wasted = met && matches!(test.of, Bounded::Object(_));
+                self.in_vain = met && matches!(test.of, Bounded::Object(_));
             }
             Event::SlabTest(_) => search.slabs += 1,
             Event::Node(visit) => match visit.verdict {
@@ -371,7 +371,7 @@ impl Counts {
     }
 
     fn ended(&mut self, end: &RayEnd) {
-        self.search.wasted += u64::from(std::mem::take(&mut self.wasted));
+        self.search.in_vain += u64::from(std::mem::take(&mut self.in_vain));
         let Some(purpose) = self.open.pop() else {
             return;
         };
@@ -426,6 +426,6 @@ impl Recorder for Counts {
         let hit = event.test_hits() == Some(true);
         self.tests[of_kind].add(hit);
         // the hit of a polygon is that of its outline
-        self.wasted &= !hit || of_kind == PLANE;
+        self.in_vain &= !hit || of_kind == PLANE;
     }
 }

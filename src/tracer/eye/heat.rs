@@ -19,13 +19,13 @@ pub struct Heat {
 /// What of it is shown?
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum HeatOf {
-    /// The number of object tests of the pixel's rays
+    /// How many object tests the pixel's rays took
     Tests,
-    /// The number of bound tests and of nodes entered
+    /// How many bounds they were tested against and nodes they entered
     Nodes,
-    /// The number of grid cells visited
+    /// How many cells of the grid they visited
     Cells,
-    /// The depth of the tree of rays: 1 for the eye ray alone; shadow rays count
+    /// How deep the tree of rays is: 1 for the eye ray alone; shadow rays count
     Depth,
 }
 

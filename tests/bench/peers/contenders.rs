@@ -13,10 +13,10 @@ use parry3d_f64::math::Vector;
 use parry3d_f64::partitioning::{Bvh as ParryBvh, BvhBuildStrategy};
 use parry3d_f64::query::{Ray as ParryRay, RayCast};
 use parry3d_f64::shape::TriMesh;
-use raystep::{
-    Build, Chosen, Counts, GridOptions, Off, Ray, Scene, SlabChoice, Strategy, StrategyName,
-    StructureOptions, TRange,
-};
+use raystep::geometry::{Ray, TRange};
+use raystep::strategy::Strategy;
+use raystep::structure::{Build, GridOptions, SlabChoice};
+use raystep::{Chosen, Counts, Off, Scene, StrategyName, StructureOptions};
 
 use crate::scenes::Objects;
 

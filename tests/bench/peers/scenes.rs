@@ -5,7 +5,8 @@ use std::fmt::Write as _;
 use std::path::Path;
 
 use glam::DVec3;
-use raystep::{Ray, Scene};
+use raystep::Scene;
+use raystep::geometry::Ray;
 
 /// Numbers that are the same in each run (G. Marsaglia's xorshift, 2003).
 struct Random(u64);

@@ -3,7 +3,7 @@
 use std::hint::black_box;
 use std::time::Instant;
 
-use raystep::Ray;
+use raystep::geometry::Ray;
 
 use crate::contenders::{Contender, Found};
 

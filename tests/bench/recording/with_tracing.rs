@@ -7,11 +7,16 @@ use std::fs::File;
 use std::io::{self, BufWriter, Write};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
-use raystep::{
-    Axis, DecidedBy, EdgeTest, Event, LightTerm, Nearest, PixelColour, PixelSample, PlaneTest,
-    PlaneVerdict, PolygonTest, PrimitiveId, Purpose, QuadraticTest, RayEnd, RayStart, RayVerdict,
-    Record, Refraction, Root, RootVerdict, Roots, Scene, Shade, Visibility,
+use raystep::geometry::{
+    Axis, DecidedBy, EdgeTest, PlaneTest, PlaneVerdict, PolygonTest, QuadraticTest, Refraction,
+    Root, RootVerdict, Roots,
 };
+use raystep::scene::PrimitiveId;
+use raystep::trace::{
+    LightTerm, Nearest, PixelColour, PixelSample, Purpose, RayEnd, RayStart, RayVerdict, Shade,
+    Visibility,
+};
+use raystep::{Event, Record, Scene};
 use tracing::{Dispatch, info};
 use tracing_subscriber::fmt::{MakeWriter, Subscriber};
 
