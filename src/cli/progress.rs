@@ -7,7 +7,7 @@ use indicatif::{ProgressBar, ProgressStyle};
 use crate::cli::Error;
 use crate::cli::notes::is_quiet;
 
-/// Does the work on so many threads; on all cores without a number.
+/// Does the work on this number of threads; on all cores without a number.
 pub(crate) fn on_threads<T: Send>(
     threads: Option<u16>,
     work: impl FnOnce() -> T + Send,

@@ -5,7 +5,7 @@ use raystep::{Scene, StrategyName};
 
 use crate::cli::notes::note;
 
-/// Up to so many objects a pixel is traced against each of them: the record shows what the slides' simple ray tracer
+/// With at most this number of objects a pixel is traced against each of them: the record shows what the slides' simple ray tracer
 /// does, and a picture of 100 × 100 such pixels keeps to the 10⁷ events that a log may have.
 const FEW: usize = 1000;
 

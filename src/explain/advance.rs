@@ -17,7 +17,7 @@ use crate::trace::{Counts, Kind, Settings, StrategyName};
 /// Something that was computed in advance.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct InAdvance {
-    /// What.
+    /// What was computed in advance, in plural words: `plane equations`.
     pub what: &'static str,
     /// Its key in JSON.
     pub key: &'static str,

@@ -18,7 +18,7 @@ use crate::trace::{Counts, Settings, StrategyName};
 /// Strategies over the same rays of a scene.
 #[derive(Clone, Debug)]
 pub struct Comparison<'a> {
-    /// The scene.
+    /// The scene whose rays all strategies trace.
     pub scene: &'a Scene,
     /// The pixel whose rays were traced; `None`: those of the picture.
     pub pixel: Option<[u32; 2]>,
@@ -29,7 +29,7 @@ pub struct Comparison<'a> {
 /// A strategy with its variant.
 #[derive(Clone, Debug)]
 pub struct Compared {
-    /// Which.
+    /// The strategy and its structure, with the settings of the rays.
     pub settings: Settings,
     /// What it cost, or why its structure cannot be built.
     pub cost: Result<Cost, StructureError>,

@@ -8,6 +8,10 @@ use crate::explain::{Compared, Comparison, Cost, grouped, in_advance, in_advance
 /// digits: 10¹² tests take hours.
 const NARROW: [&str; 4] = ["object tests", "search", "per ray", "share %"];
 
+/// What two of the columns are.
+const COLUMNS_MEAN: &str =
+    "per ray: object tests of a ray; share %: object tests, as a share of exhaustive";
+
 impl Comparison<'_> {
     /// The table in 80 columns, the cheapest strategy first, and what was computed in advance.
     ///
@@ -36,9 +40,10 @@ impl Comparison<'_> {
             grouped(rays)
         );
         format!(
-            "{}{}\n{}{not_built}{}",
+            "{}{}{}\n{}{not_built}{}",
             wrapped(&self.title(), "", "  "),
             wrapped(&sorted, "", "  "),
+            wrapped(COLUMNS_MEAN, "", "  "),
             aligned(&table),
             self.below()
         )

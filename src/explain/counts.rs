@@ -113,7 +113,7 @@ fn wasted(light: &LightCount) -> Option<f64> {
     light.wasted().filter(|_| light.stored == 0)
 }
 
-/// The rays of each purpose; those that only paths of chance have are left out where there were none.
+/// The rays of each purpose; those of random paths are omitted where there were none.
 fn rays_told(counts: &Counts) -> impl Iterator<Item = (Purpose, RayCount)> {
     let all = Counts::PURPOSES.into_iter().zip(counts.rays);
     all.filter(|(purpose, count)| {

@@ -25,7 +25,7 @@ pub struct CrowdedCell {
 const MANY: usize = 20;
 
 impl CrowdedCell {
-    /// The fullest cell of a grid over so many objects; `None` if it lists half of them or fewer, or there are fewer
+    /// The fullest cell of a grid over a number of objects; `None` if it lists half of them or fewer, or there are fewer
     /// than 20.
     pub fn of(grid: &Grid, objects: usize) -> Option<Self> {
         let (cell, listed) = grid.fullest_cell()?;

@@ -6,7 +6,7 @@ use crate::scene::Scene;
 use crate::trace::{Item, LogNames, RayTree, Record, Settings, write_event};
 
 /// The working of a pixel as a tree: `pixel`, `settings`, `events` of the pixel itself, and `rays`, each
-/// with its `events` as the log has them and the `rays` sent on from it.
+/// with its `events` as the log has them and the `rays` that it spawned.
 ///
 /// Where light was followed, `paths` are those that led to the pixel: each with its number as `path`, its `events`
 /// and its `rays`, which are numbered from 0 again.

@@ -139,7 +139,7 @@ impl Digits {
     }
 }
 
-/// A number with so many digits, as a figure has room for.
+/// A number with a number of significant digits, as a figure has room for.
 pub(crate) fn shown(x: f64, digits: u32) -> String {
     Digits(digits).number(x)
 }

@@ -40,7 +40,7 @@ pub struct Line {
 /// of them to the last step of the last.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct StepRange {
-    /// The first step.
+    /// The first step of the range, in the order of the log.
     pub first: StepAddress,
     /// The last step, which may be the first.
     pub last: StepAddress,
@@ -127,7 +127,7 @@ pub enum Tone {
 pub struct Fold {
     /// The number of things that are left out: tests, edges, vertices, photons, paths, rays.
     pub hidden: usize,
-    /// What shows them.
+    /// The option that shows what is hidden.
     pub shown_by: Unfold,
 }
 

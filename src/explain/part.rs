@@ -184,7 +184,7 @@ impl fmt::Display for Part {
 pub struct Derivation {
     /// The name for programs.
     pub id: &'static str,
-    /// Its parts.
+    /// The parts of the derivation, in the order in which they are worked out.
     pub parts: &'static [Part],
 }
 

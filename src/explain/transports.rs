@@ -14,7 +14,7 @@ use crate::trace::{Counts, Settings, Transport, UsefulRays};
 /// The five kinds of ray tracing over the same scene.
 #[derive(Clone, Debug)]
 pub struct TransportComparison<'a> {
-    /// The scene.
+    /// The scene whose light all kinds of ray tracing compute.
     pub scene: &'a Scene,
     /// Each kind, in the order of the slides.
     pub compared: Vec<TransportCost>,

@@ -50,7 +50,7 @@ pub fn cost_chart(id: &str, comparison: &Comparison) -> String {
     Canvas::write(sheet, id, [&title, &description], Rendition::default())
 }
 
-/// How high the bars of so many strategies are, with legend and axis, in sizes of the letters.
+/// How high the bars of a number of strategies are, with legend and axis, in sizes of the letters.
 pub(super) fn height(rows: usize) -> f64 {
     LINE + BETWEEN + rows as f64 * ROW + TICK + 2.0 * LINE
 }

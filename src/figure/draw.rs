@@ -12,7 +12,7 @@ use crate::figure::traced::Traced;
 /// A figure as it came out.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Drawn {
-    /// The drawing.
+    /// The drawing as a whole SVG document.
     pub svg: String,
     /// What it shows, in words made from the events: what is read out in its place.
     pub description: String,

@@ -9,7 +9,7 @@ use crate::scene::printable;
 pub struct FigureError {
     /// The key of the specification that it is about, such as `pixel`.
     pub key: &'static str,
-    /// What is wrong.
+    /// What is wrong, in one sentence without a full stop.
     pub what: String,
     /// What to do about it.
     pub fix: String,

@@ -5,7 +5,7 @@ use font8x8::legacy::BASIC_LEGACY;
 /// A picture in 8 bits a channel, red, green and blue, row by row from the top left.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Raster {
-    /// Width and height.
+    /// Width and height of the picture in pixels, the legend included.
     pub pixels: [u32; 2],
     /// Three bytes for each pixel.
     pub bytes: Vec<u8>,

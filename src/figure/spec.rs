@@ -13,7 +13,7 @@ use crate::trace::{LightOptions, StrategyName, Through, Transport};
 #[cfg_attr(feature = "schema", derive(JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct FigureSpec {
-    /// What is drawn.
+    /// The kind of figure, which says what is drawn.
     pub kind: FigureKind,
     /// The scene, by its file beside the lesson.
     pub scene: String,
@@ -56,7 +56,7 @@ pub struct FigureSpec {
     /// How light is followed from the lamps, where the transport does.
     #[serde(default)]
     pub light: LightOptions,
-    /// The first so many paths of light are shown, whether they lead to the eye or not, beside those that lead to the
+    /// This number of the first paths of light is shown, whether they lead to the eye or not, beside those that lead to the
     /// pixels that are drawn.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub paths: Option<u32>,

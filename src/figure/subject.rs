@@ -191,7 +191,7 @@ impl FigureKind {
 pub(super) struct DrawnRay<'a> {
     /// Its start, its end.
     pub(super) node: RayNode,
-    /// What happened on it, its own start and end left out, and the rays sent on from it.
+    /// What happened on it, without its own start and end, and the rays that it spawned.
     pub(super) events: Vec<&'a Record>,
 }
 

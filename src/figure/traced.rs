@@ -13,7 +13,7 @@ use crate::trace::{
 /// The log of a figure: every event of the pixels that it draws, and of all others the colour.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Traced {
-    /// The scene.
+    /// The scene that was traced, read from the log where the figure is drawn from one.
     pub scene: Scene,
     /// How it was traced; `whole` names the pixels that are drawn.
     pub settings: Settings,

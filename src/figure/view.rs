@@ -69,7 +69,7 @@ impl Projection {
         Self { across, up }
     }
 
-    /// Where a point comes to lie: to the right, and upwards.
+    /// The projection of a point: to the right, and upwards.
     pub(super) fn of(&self, point: DVec3) -> DVec2 {
         DVec2::new(self.across.dot(point), self.up.dot(point))
     }

@@ -17,7 +17,7 @@ pub struct Alignment {
     pub origin: DVec3,
     /// The first row of the rotation, of unit length.
     pub x: DVec3,
-    /// The second row.
+    /// The second row of the rotation: the unit vector z × x.
     pub y: DVec3,
     /// The third row: the ray's direction.
     pub z: DVec3,
@@ -26,9 +26,9 @@ pub struct Alignment {
 /// A ray, and the frame in which it is (0, 0, 0) + t·(0, 0, |Δ|).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AlignedRay {
-    /// In world coordinates.
+    /// The ray in world coordinates.
     pub world: Ray,
-    /// The frame.
+    /// The frame in which the ray starts at the origin and runs along z.
     pub frame: Alignment,
     /// |Δ|: z = t·|Δ|. Exactly 1 for a unit ray: then z is t.
     pub length: f64,

@@ -78,7 +78,7 @@ mod tests {
         assert_eq!(clipped(&square(), |p| p.x + 1.0), square());
         assert_eq!(clipped(&square(), |p| p.x - 5.0), []);
         let on_the_line = [[4.0, 0.0], [4.0, 4.0]].map(DVec2::from);
-        // the edges across come to an end there, which counts as cut
+        // the edges across end there, which counts as cut
         let mut edge = clipped(&square(), |p| p.x - 4.0);
         edge.dedup();
         assert_eq!(edge, on_the_line);

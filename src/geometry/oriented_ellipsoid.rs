@@ -12,7 +12,7 @@ use crate::geometry::{QuadraticTest, Ray, Sides, Sphere, TRange};
 /// Σ (wᵢ·(p − center)/rᵢ)² = 1, with three unit vectors wᵢ at right angles.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct OrientedEllipsoid {
-    /// In world coordinates.
+    /// The center in world coordinates.
     pub center: DVec3,
     /// w₁, w₂ and w₃: the directions of the half axes, of unit length, at right angles to each other.
     pub axes: [DVec3; 3],

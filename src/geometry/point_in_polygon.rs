@@ -53,7 +53,7 @@ pub struct EdgeTest {
     pub side: f64,
     /// Does the edge count as a crossing?
     pub counts: bool,
-    /// What decided.
+    /// Whether the 2D test of p′ or the exact test of the ray decided.
     pub decided_by: DecidedBy,
 }
 
@@ -72,7 +72,7 @@ pub struct PolygonTest {
     pub crossings: u32,
     /// An odd number of crossings.
     pub inside: bool,
-    /// What decided.
+    /// Whether the 2D test of p′ or the exact test of the ray decided.
     pub decided_by: DecidedBy,
 }
 

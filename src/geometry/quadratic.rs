@@ -26,7 +26,7 @@ pub struct QuadraticTest {
     pub b: f64,
     /// The constant term: negative if the ray starts inside.
     pub c: f64,
-    /// b² − 4ac.
+    /// b² − 4ac: above 0 with two real roots, below 0 with none.
     pub discriminant: f64,
     /// The roots and what became of each.
     pub roots: Roots,

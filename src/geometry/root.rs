@@ -44,7 +44,7 @@ pub enum Sides {
 /// A value of t at which the ray meets a surface, and what became of it.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Root {
-    /// Along the ray.
+    /// t along the ray, in lengths of Δ.
     pub t: f64,
     /// Chosen, or the reason why not.
     pub verdict: RootVerdict,

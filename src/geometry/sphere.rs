@@ -11,7 +11,7 @@ use crate::geometry::{QuadraticTest, Ray, Sides, TRange};
 pub struct Sphere {
     /// (a, b, c), in world coordinates.
     pub center: DVec3,
-    /// r > 0.
+    /// The radius r, above 0.
     pub radius: f64,
 }
 

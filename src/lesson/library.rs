@@ -18,7 +18,7 @@ use crate::scene::{
 pub struct FigureName {
     /// The folder of the lesson.
     pub lesson: String,
-    /// The figure.
+    /// The name of the figure in its lesson.
     pub figure: String,
 }
 

@@ -31,7 +31,7 @@ pub struct Camera {
 /// Where a line passes the window.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WindowCrossing {
-    /// The pixel.
+    /// Column and row of the pixel, from 0,0 at the top left.
     pub pixel: [u32; 2],
     /// The place in pixels from the window's top left corner.
     pub place: DVec2,

@@ -30,10 +30,10 @@ pub struct SceneFile {
     /// The colour of a ray that meets nothing.
     #[serde(default)]
     pub background: [f64; 3],
-    /// The ambient light.
+    /// The ambient light in red, green and blue: it reaches every surface from all directions.
     #[serde(default)]
     pub ambient: [f64; 3],
-    /// The point lights.
+    /// The point lights, in the order in which their terms are summed.
     #[serde(default)]
     pub lights: Vec<LightFile>,
     /// The materials by name.
@@ -200,7 +200,7 @@ pub struct ObjectFile {
     pub name: SmolStr,
     /// The name of its material.
     pub material: SmolStr,
-    /// Its form.
+    /// The shape of the object, with its coordinates in the world.
     pub shape: ShapeFile,
     /// Which sides of its surface can be seen.
     #[serde(default, skip_serializing_if = "SidesFile::is_both")]

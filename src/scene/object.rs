@@ -19,7 +19,7 @@ pub struct Object {
     pub material: u32,
     /// Which sides of its surface the scene file lets be seen.
     pub sides: Sides,
-    /// Its first primitive.
+    /// The first of its primitives, which are consecutive: the object itself, or the faces of a mesh.
     pub first: PrimitiveId,
     /// How many primitives it has.
     pub count: u32,

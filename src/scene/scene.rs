@@ -26,9 +26,9 @@ pub struct Scene {
     camera_file: CameraFile,
     /// The colour of a ray that meets nothing.
     pub background: DVec3,
-    /// The ambient light.
+    /// The ambient light in red, green and blue: it reaches every surface from all directions.
     pub ambient: DVec3,
-    /// The point lights.
+    /// The point lights, in the order in which their terms are summed.
     pub lights: Vec<Light>,
     /// The materials with their names.
     pub materials: Materials,

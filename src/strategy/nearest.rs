@@ -10,9 +10,9 @@ use crate::trace::{Event, Nearest, Recorder};
 /// A hit: which object, and where along the ray.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Hit {
-    /// What was hit.
+    /// The primitive that was hit.
     pub object: PrimitiveId,
-    /// Where.
+    /// t of the hit along the ray, in lengths of Δ.
     pub t: f64,
 }
 

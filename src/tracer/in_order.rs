@@ -47,7 +47,7 @@ struct State<W, S> {
     ended: Option<Ended>,
 }
 
-/// What a tile has handed over, and at its end what it leaves behind, or why it did not come to its end.
+/// What a tile has handed over, and at its end what it leaves behind, or why it was stopped.
 struct Waiting<S> {
     pieces: VecDeque<Piece>,
     left: Option<Result<S, Stopped>>,
@@ -70,7 +70,7 @@ pub(super) enum Ended {
     Output(io::Error),
     /// The budget is spent.
     Budget,
-    /// A tile did not come to its end.
+    /// A tile was stopped.
     Tile(Stopped),
 }
 

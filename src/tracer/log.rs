@@ -18,7 +18,7 @@ use crate::tracer::tracer::Tracer;
 /// What of the trace is written.
 #[derive(Clone, Debug)]
 pub struct LogOptions {
-    /// The pixels.
+    /// The pixels that the log is about.
     pub region: Region,
     /// The kinds of event.
     pub kinds: Kinds,
@@ -34,7 +34,7 @@ pub enum LoggedPaths {
     /// None.
     #[default]
     None,
-    /// The first so many: all.
+    /// The number of the first ones, which are all written.
     All(u64),
     /// These.
     Some(Vec<u32>),

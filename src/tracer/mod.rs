@@ -1,4 +1,4 @@
-//! What a hit leads to: rays sent on, shades, pixels and pictures; and the five kinds of ray tracing.
+//! What a hit leads to: spawned rays, shades, pixels and pictures; and the five kinds of ray tracing.
 //!
 //! # The five kinds
 //!

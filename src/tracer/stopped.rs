@@ -1,11 +1,11 @@
-//! Why a trace did not come to its end.
+//! Why a trace did not end as it should.
 
 use std::fmt;
 use std::ops::ControlFlow;
 
 use crate::trace::Recorder;
 
-/// Why a trace did not come to its end.
+/// Why a trace did not end as it should.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Stopped {
     /// The recorder has enough.

@@ -1,4 +1,4 @@
-//! A point on a surface, as all that is sent on from it needs it.
+//! A point on a surface, with what the rays spawned there need.
 
 use glam::DVec3;
 
@@ -13,7 +13,7 @@ use crate::tracer::epsilon::start_epsilon;
 pub struct Surface<'a> {
     /// The primitive that was hit.
     pub object: PrimitiveId,
-    /// Its material.
+    /// The material of the object that was hit.
     pub material: &'a Material,
     /// p, in world coordinates.
     pub point: DVec3,

@@ -12,7 +12,7 @@ use crate::tracer::surface::Surface;
 /// Traces rays through a scene.
 #[derive(Clone, Copy, Debug)]
 pub struct Tracer<'a, S> {
-    /// What is there.
+    /// The scene: camera, lights, materials and objects.
     pub scene: &'a Scene,
     /// Which objects a ray is tested against.
     pub strategy: &'a S,

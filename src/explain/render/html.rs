@@ -14,6 +14,16 @@ pub const STYLE: &str = "\
 .raystep-log .aside, .raystep-log .folded { color: var(--raystep-aside, #57606a); }
 ";
 
+/// The style of a whole document, which has light and dark colours of its own, as the reader's system asks for.
+const DOCUMENT_STYLE: &str = "\
+:root { color-scheme: light dark; color: #1f2328; background: #ffffff; }
+@media (prefers-color-scheme: dark) {
+  :root { color: #e6edf3; background: #0d1117;
+    --raystep-found: #56d364; --raystep-refused: #e3b341; --raystep-aside: #9198a1; }
+}
+pre { white-space: pre-wrap; line-height: 1.4; }
+";
+
 /// The page as a fragment of HTML, on one line. Its text is the plain text.
 pub fn html(page: &Page, hint: Hint) -> String {
     // a book's highlighter would take the spans out of what it believes to be code
@@ -40,7 +50,7 @@ pub fn html_document(page: &Page, hint: Hint) -> String {
     let title = page.lines.first().map_or("", |line| line.text.as_str());
     format!(
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n<title>{}</title>\n\
-         <style>\n{STYLE}pre {{ white-space: pre-wrap; line-height: 1.4; }}\n</style>\n</head>\n<body>\n{}\n</body>\n\
+         <style>\n{STYLE}{DOCUMENT_STYLE}</style>\n</head>\n<body>\n{}\n</body>\n\
          </html>\n",
         escaped(title),
         html(page, hint)
@@ -93,4 +103,48 @@ pub(crate) fn escaped(text: &str) -> String {
         }
     }
     html
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The relative luminance of a colour `#rrggbb` (WCAG 2.2).
+    fn luminance(colour: &str) -> f64 {
+        let channel = |at: usize| {
+            let value = f64::from(u8::from_str_radix(&colour[at..at + 2], 16).unwrap()) / 255.0;
+            if value <= 0.04045 {
+                value / 12.92
+            } else {
+                ((value + 0.055) / 1.055).powf(2.4)
+            }
+        };
+        0.2126 * channel(1) + 0.7152 * channel(3) + 0.0722 * channel(5)
+    }
+
+    fn colours(style: &str) -> Vec<&str> {
+        let starts = style.match_indices('#').map(|(at, _)| at);
+        starts.map(|at| &style[at..at + 7]).collect()
+    }
+
+    #[test]
+    fn letters_of_a_document_have_a_contrast_of_4_5_in_light_and_in_dark() {
+        let (light, dark) = DOCUMENT_STYLE.split_once("@media").unwrap();
+        let [text, background] = colours(light)[..] else {
+            panic!("{light}");
+        };
+        let [dark_text, dark_background, ref tones @ ..] = colours(dark)[..] else {
+            panic!("{dark}");
+        };
+        assert_eq!((colours(STYLE).len(), tones.len()), (3, 3));
+        let of_light = colours(STYLE).into_iter().chain([text]);
+        let of_light = of_light.map(|letters| (letters, background));
+        let of_dark = tones.iter().copied().chain([dark_text]);
+        let of_dark = of_dark.map(|letters| (letters, dark_background));
+        for (letters, paper) in of_light.chain(of_dark) {
+            let [one, other] = [letters, paper].map(luminance);
+            let contrast = (one.max(other) + 0.05) / (one.min(other) + 0.05);
+            assert!(4.5 <= contrast, "{letters} on {paper}: {contrast}");
+        }
+    }
 }

@@ -58,7 +58,7 @@ pub(super) fn arrive(context: &Context, course: &mut Course, page: &mut Pen) {
         let (material, values) = &context.scene.materials.0[object.material as usize];
         let text = format!(
             "material {}: colour {}, diffuse {}, specular {}, shininess {}, reflection {}, \
-             transmission {}, index {}",
+             transmission {}, index of refraction {}",
             printable(material),
             d.vector(values.colour.into()),
             d.number(values.diffuse),

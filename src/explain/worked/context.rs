@@ -60,7 +60,7 @@ impl<'a> Context<'a> {
         }
     }
 
-    /// The same with these records as its section; all of them, if so many are not there.
+    /// The same with these records as its section; all of them, if there are fewer.
     pub(super) fn section(&self, places: Range<usize>) -> Self {
         let records = self.all.get(places.clone()).unwrap_or(self.all);
         Self {

@@ -7,7 +7,7 @@ use crate::trace::Kinds;
 pub struct WorkedOptions {
     /// The kinds of event.
     pub kinds: Kinds,
-    /// One ray alone.
+    /// The number of the one ray that is shown, with the rays that it spawned in short; absent: all rays.
     pub ray: Option<u32>,
     /// Every test in full, also where many miss.
     pub all: bool,

@@ -62,7 +62,7 @@ impl Pen {
         self.part(part).line(tone, format!("{part}{words}"));
     }
 
-    /// What a part comes to: an arrow, its name, then the words.
+    /// The result of a part: an arrow, its name, then the words.
     pub(super) fn result(&mut self, tone: Tone, part: Part, words: impl fmt::Display) {
         self.part(part).line(tone, format!("→ {part}{words}"));
     }

@@ -128,7 +128,7 @@ pub(super) fn ellipsoid(of: Tested, page: &mut Pen) {
         let along = course.aligned.map_or("", |_| " along its half axes h");
         page.headed(
             Part::Frame,
-            format!(": divided by its radii{along} it is the unit sphere, and t stays"),
+            format!(": space divided by the radii{along}: there the ellipsoid is the unit sphere, and t is the same"),
         );
         page.part(Part::Frame).plain(format!(
             "o − center → {offset_by} = {}",

@@ -117,7 +117,10 @@ pub(super) fn sentence(root: Root, chosen: Option<f64>, course: &Course) -> Stri
             (None, Some(start)) if start.purpose == Purpose::Shadow => {
                 format!("{t} lies beyond the light")
             }
-            _ => format!("{t} is too far"),
+            (None, Some(start)) if start.purpose == Purpose::Connection => {
+                format!("{t} lies beyond x")
+            }
+            _ => format!("{t} is beyond the last t that counts"),
         },
         RootVerdict::BackFace => format!("{t} is on the back, and only the front is visible"),
         RootVerdict::FrontFace => format!("{t} is on the front, and only the back is visible"),

@@ -12,6 +12,10 @@ use crate::explain::worked::steps::Course;
 use crate::geometry::{Axis, BoxTest, Inside, Roots, SlabInterval};
 use crate::scene::{PrimitiveId, Shape};
 
+/// What the letters of a slab across an axis are.
+const LETTERS: &str = "near, far of a slab: S is the coordinate of o along its axis, D is minus the coordinate of a \
+    plane, and T = −1/(the component of Δ along the axis)";
+
 /// near = max of the near values, far = min of the far ones.
 pub(super) fn slabs(
     context: &Context,
@@ -40,6 +44,9 @@ pub(super) fn slabs(
     let turned = course.aligned.map(|aligned| solid.aligned_slabs(&aligned));
     quadratic::object_line(context, object, &what, page);
     page.indented(|page| {
+        if turned.is_none() && course.start.is_some() {
+            page.once(Part::NearFar, LETTERS);
+        }
         let axes = [("x", Axis::X), ("y", Axis::Y), ("z", Axis::Z)];
         for (i, ((name, axis), interval)) in axes.into_iter().zip(test.slabs).enumerate() {
             if let Some(slabs) = &turned {

@@ -72,7 +72,7 @@ impl Course {
 #[derive(Clone, Debug)]
 pub(super) struct Told {
     pub(super) step: Step,
-    /// From its first event to its last. Of a ray that was sent on: where it was.
+    /// From its first event to its last; of a spawned ray, all its events.
     pub(super) extent: Extent,
 }
 
@@ -92,7 +92,7 @@ pub(super) enum Step {
         test: Test,
         nearest: Option<Noted<Nearest>>,
     },
-    /// A ray was sent on.
+    /// A ray was spawned.
     Ray(usize),
     Light(LightTerm),
     Refraction(Refraction),

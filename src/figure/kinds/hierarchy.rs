@@ -1,7 +1,7 @@
 //! The tree of a hierarchy and its nested volumes, for one ray (slides, "Traverse the Hierarchies").
 //!
 //! Both show the same nodes under the same numbers: which were entered, rejected, pruned because a nearer hit was
-//! known, and which the ray never came to.
+//! known, and which the ray never visited.
 
 use glam::DVec2;
 

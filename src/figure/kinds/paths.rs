@@ -287,7 +287,7 @@ fn draw_leg(figure: &Figure, sheet: &mut Sheet, stage: &Stage, leg: &Leg, of: Us
     let is_seen = of == Use::Seen;
     let has_dot = leg.stored.is_some() && figure.shows(Layer::Hits);
     if is_seen && (has_dot || leg.arrival.is_some()) {
-        // where it comes to
+        // where it arrives
         let gap = if has_dot { 3.0 * sheet.unit() } else { 0.0 };
         let along = (to - from).normalize_or_zero();
         sheet.arrow(look(of), from, to - gap * along);
@@ -300,7 +300,7 @@ fn draw_leg(figure: &Figure, sheet: &mut Sheet, stage: &Stage, leg: &Leg, of: Us
     }
 }
 
-/// The rays from the eye, and what was sent on from them.
+/// The rays from the eye, and the rays that they spawned.
 fn eye_rays(figure: &Figure, sheet: &mut Sheet, stage: &Stage, section: &Section) {
     let tree = RayTree::new(section.records);
     for node in &tree.rays {

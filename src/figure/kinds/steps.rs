@@ -74,7 +74,7 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
 fn crossings(figure: &Figure, sheet: &mut Sheet, plan: &Plan, walk: &Walk) {
     let label = |sheet: &mut Sheet, t: f64, towards: DVec2| {
         if figure.shows(Layer::Numbers) {
-            /// So many letters there is room for beside `t = ` in a cell.
+            /// The number of letters that fit beside `t = ` in a cell.
             const ROOM: usize = 5;
             let mut text = quantity(t);
             if text.len() <= ROOM {
@@ -93,7 +93,7 @@ fn crossings(figure: &Figure, sheet: &mut Sheet, plan: &Plan, walk: &Walk) {
         if !crosses(walk, place) {
             continue;
         }
-        // it is crossed when the ray comes to the next cell, and stands above that cell's area
+        // it is crossed when the ray enters the next cell, and stands above that cell's area
         let next = walk.visits.get(place + 1);
         sheet.at_step(next.map_or(plan.last_step(), |next| next.step));
         let at = plan.place(visit.cell.t_out);

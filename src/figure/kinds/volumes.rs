@@ -224,7 +224,7 @@ fn tested(scene: &Scene, ray: &DrawnRay, number: usize) -> Option<Tested> {
     })
 }
 
-/// Frames for so many panels: one above the other if there is one or two, else two beside each other.
+/// Frames for a number of panels: one above the other if there is one or two, else two beside each other.
 fn frames(sheet: &Sheet, body: Frame, count: usize) -> Vec<Frame> {
     let rows = count.div_ceil(2).max(1);
     let gap = sheet.letters;

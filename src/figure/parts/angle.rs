@@ -35,7 +35,7 @@ impl Angle {
     }
 }
 
-/// So many straight pieces of a quarter circle are within a thousandth of its radius.
+/// With this number of straight pieces a quarter circle is within a thousandth of its radius.
 const PIECES: u32 = 24;
 
 /// The angle of a cosine, in degrees, as a label says it.

@@ -193,7 +193,7 @@ impl Outline {
     }
 }
 
-/// So many points make a smooth ellipse: its straight pieces stay within a thousandth of it.
+/// The number of points of a smooth ellipse: its straight pieces stay within a thousandth of it.
 const POINTS: u32 = 72;
 
 fn turns() -> impl Iterator<Item = f64> {

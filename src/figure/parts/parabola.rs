@@ -137,7 +137,7 @@ impl Graph {
 
     /// The curve, as far as it is within the height of the graph.
     fn curve(&self, sheet: &mut Sheet) {
-        /// So many straight pieces look smooth.
+        /// The number of straight pieces that look smooth.
         const PIECES: u32 = 64;
         let half = ((self.y[1] - self.vertex.y) / self.a).sqrt();
         let [low, high] =

@@ -184,7 +184,7 @@ impl Axis<'_> {
         );
     }
 
-    /// The axis itself, below so many rows.
+    /// The axis itself, below the rows.
     pub(in crate::figure) fn draw(&self, sheet: &mut Sheet, rows: usize) {
         let y = self.middle(rows) - 0.25 * self.row;
         let (_, right) = self.ends();

@@ -50,7 +50,7 @@ impl<'a> Met<'a> {
         })
     }
 
-    /// Is a ray sent on from here?
+    /// Is a ray spawned here?
     fn sends_on(&self) -> bool {
         0.0 < self.shade.reflection || 0.0 < self.shade.transmission
     }
@@ -130,7 +130,7 @@ fn critical_angle(refraction: &Refraction) -> f64 {
     libm::asin(refraction.index_to / refraction.index_from).to_degrees()
 }
 
-/// What the surface does to the ray, if it sends one on.
+/// What the surface does to the ray, if it spawns one.
 pub(in crate::figure) fn in_words(records: &[Record], node: &RayNode) -> Option<String> {
     let met = Met::find(records, node)?;
     let incident = degrees(met.cosine());

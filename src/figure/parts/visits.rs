@@ -8,7 +8,7 @@ use crate::trace::{BoundVerdict, Bounded, Event, NodeVerdict, Record};
 /// What became of a node in the end.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(in crate::figure) enum Verdict {
-    /// The ray never came to it.
+    /// The ray never visited it.
     #[default]
     Unreached,
     /// The ray meets its bound, and the search ended before it was its turn.
@@ -80,7 +80,7 @@ pub(in crate::figure) struct Visits {
 }
 
 impl Visits {
-    /// Gathers what happened on a ray to so many nodes.
+    /// Gathers what happened on a ray to a number of nodes.
     pub(in crate::figure) fn of(events: &[&Record], nodes: usize) -> Self {
         let mut visits = Self {
             nodes: vec![Visit::default(); nodes],

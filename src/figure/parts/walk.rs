@@ -9,7 +9,7 @@ use crate::trace::{Event, GridEnter, HitOutsideCell, Record, WalkEnd};
 /// What happened on the way of a ray through a grid.
 #[derive(Clone, Debug, PartialEq)]
 pub(in crate::figure) struct Walk {
-    /// The step at which the ray comes to the grid.
+    /// The step at which the ray enters the grid.
     pub(in crate::figure) step: u32,
     pub(in crate::figure) grid: GridEnter,
     /// The cells it pierces, in order.

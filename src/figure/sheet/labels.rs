@@ -34,7 +34,7 @@ struct Candidate {
 const DIRECTIONS: u32 = 16;
 /// How often it is tried further away.
 const RINGS: u32 = 14;
-/// So many names of objects are a crowd.
+/// The number of names of objects that are a crowd.
 const CROWD: usize = 20;
 
 /// Places all labels of a sheet: they become words, and leaders become marks.
@@ -209,7 +209,7 @@ impl Obstacles {
                 radii,
                 turn,
             } => {
-                /// So many straight pieces are within a hundredth of its radius.
+                /// With this number of straight pieces it is within a hundredth of its radius.
                 const PIECES: u32 = 24;
                 let rotation = at_angle(turn.to_radians());
                 let at = |piece: u32| {

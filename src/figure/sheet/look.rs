@@ -161,7 +161,7 @@ impl Look {
     /// A leg of a path of light that leads to what nobody looks at.
     pub(in crate::figure) const UNSEEN_LIGHT: Self =
         Self::line(Colour::Rejected, 1.5, Dash::Dotted);
-    /// A leg of a path of light that comes to nothing.
+    /// A leg of a path of light that is wasted.
     pub(in crate::figure) const WASTED_LIGHT: Self = Self::line(Colour::Culled, 0.8, Dash::Dashed);
     /// A line between a path of light and one from the eye.
     pub(in crate::figure) const CONNECTION: Self = Self::line(Colour::Visited, 1.25, Dash::Solid);

@@ -9,7 +9,7 @@ use crate::geometry::{AlignedRay, AxisBox, BoxTest, Sides, SlabRay, TRange};
 pub struct AlignedSlab {
     /// (A′, B′, C′): an axis of the world, turned.
     pub normal: DVec3,
-    /// T = −1/(C′·|Δ|).
+    /// T = −1/(C′·|Δ|) in the frame of the ray; infinite if the ray is parallel to the slab.
     pub t_scale: f64,
     /// D′ of the plane furthest along the normal.
     pub d_min: f64,

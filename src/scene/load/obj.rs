@@ -126,7 +126,7 @@ impl Reader<'_> {
         Ok(())
     }
 
-    /// Three numbers that a scene may contain, among at most so many.
+    /// Three numbers that a scene may contain, among at most `most`.
     fn point(
         &self,
         entity: &Entity,

@@ -1,4 +1,4 @@
-//! Objects side by side in the order in which a search comes to them.
+//! Objects side by side in the order in which a search visits them.
 //!
 //! The objects of a leaf, or of a cell, stand anywhere in the scene: each of them would be read from a place of
 //! its own in memory, which in a large scene takes longer than its test. So what the test of a sphere reads is

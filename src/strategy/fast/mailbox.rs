@@ -15,14 +15,14 @@ thread_local! {
 pub(super) struct Mailboxes {
     /// How many objects there are.
     objects: usize,
-    /// The object that was tested first: most rays come to no other, and need no mailbox for it.
+    /// The object that was tested first: most rays test no other, and need no mailbox for it.
     first: Option<usize>,
     /// The mailboxes, once there is another.
     others: Option<Stamps>,
 }
 
 impl Mailboxes {
-    /// Those of a new ray, among so many objects.
+    /// Those of a new ray, for a number of objects.
     #[inline]
     pub(super) fn for_ray(objects: usize) -> Self {
         Self {
@@ -32,7 +32,7 @@ impl Mailboxes {
         }
     }
 
-    /// Is this the first time that the ray comes to this object?
+    /// Is this the first time that the ray is tested against this object?
     #[inline]
     pub(super) fn is_first(&mut self, object: usize) -> bool {
         match self.first {
@@ -61,7 +61,7 @@ struct Stamps {
 }
 
 impl Stamps {
-    /// Those of this thread, for a new ray and so many objects. Nothing is cleared for it.
+    /// Those of this thread, for a new ray and a number of objects. Nothing is cleared for it.
     fn for_ray(objects: usize) -> Self {
         let mut stamps = OF_THREAD.take();
         let ray = LAST_RAY.get().wrapping_add(1);

@@ -5,7 +5,7 @@
 //! change the answer. `chosen.rs` alone comes here, in one line.
 //!
 //! - [`slabs`]: all slabs of a bound at one go, near and far by both planes side by side;
-//! - [`leaf_order`]: copies of the objects in the order in which a search comes to them, among them
+//! - [`leaf_order`]: copies of the objects in the order in which a search visits them, among them
 //!   [`rounded_triangle`]s in a cache line each;
 //! - [`sphere`]: spheres that are clearly missed, and the hit without its working;
 //! - [`stack`]: nodes that wait without memory of their own; [`mailbox`]: stamps that no ray clears;

@@ -18,7 +18,7 @@ pub(super) struct BothPlanes<const N: usize> {
     t_scale: [f64; N],
 }
 
-/// So many slabs make a box.
+/// The number of slabs that make a box.
 const BOX: usize = 3;
 
 impl<const N: usize> BothPlanes<N> {

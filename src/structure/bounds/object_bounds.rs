@@ -19,7 +19,7 @@ use crate::structure::{SlabBound, SlabSet};
 /// lets one in a thousand more rays in; much thinner, and rounding would count in the test.
 pub(in crate::structure) const THICKNESS: f64 = 1e-3;
 
-/// No half axis is shorter than so many times the thickness of bent polygons; the rest grows by a sixteenth at most
+/// No half axis is shorter than this multiple of the thickness of bent polygons; the rest grows by a sixteenth at most
 /// to make room for that.
 const ROOM: f64 = 16.0;
 

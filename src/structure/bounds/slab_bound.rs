@@ -28,7 +28,7 @@ pub struct SlabBound<const N: usize> {
     pub d_max: [f64; N],
 }
 
-/// So many slabs make a box.
+/// The number of slabs that make a box.
 const BOX: usize = 3;
 
 impl<const N: usize> SlabBound<N> {

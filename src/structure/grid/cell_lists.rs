@@ -13,7 +13,7 @@ pub(crate) struct CellLists {
 }
 
 impl CellLists {
-    /// The lists of so many cells and objects, where `cells_of(object, put)` puts the object into its cells.
+    /// The lists of these numbers of cells and objects, where `cells_of(object, put)` puts the object into its cells.
     ///
     /// Each object is asked twice: the entries are counted before there is room for them. `None` if there are
     /// more than [`MOST_ENTRIES`]. The objects of a cell are in the order of the scene.

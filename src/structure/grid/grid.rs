@@ -32,7 +32,7 @@ pub enum Share {
 /// An object put into a cell's list.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct AssignStep {
-    /// What.
+    /// The primitive that was put into the list of the cell.
     pub object: PrimitiveId,
     /// i, j and k.
     pub cell: [u32; 3],

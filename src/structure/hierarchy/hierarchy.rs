@@ -55,9 +55,9 @@ pub struct MergeStep {
     pub second: u32,
     /// Which direction of the set, from 0.
     pub slab: u32,
-    /// D_min of both.
+    /// D_min of the slab of both volumes, without padding.
     pub d_min: [f64; 2],
-    /// D_max of both.
+    /// D_max of the slab of both volumes, without padding.
     pub d_max: [f64; 2],
 }
 

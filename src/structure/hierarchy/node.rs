@@ -5,14 +5,14 @@ use crate::structure::SlabBound;
 
 /// A node: its bound and what it bounds.
 ///
-/// With three slabs it takes 64 bytes, a cache line, and is laid out on one: to come to it costs one read of
+/// With three slabs it takes 64 bytes, a cache line, and is aligned to one: to visit it costs one read of
 /// memory and not two.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(align(64))]
 pub struct Node<const N: usize> {
     /// D_min and D_max of each slab.
     pub bound: SlabBound<N>,
-    /// Children or objects.
+    /// The child nodes, or the objects of a leaf.
     pub link: Link,
 }
 

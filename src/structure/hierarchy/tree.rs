@@ -13,7 +13,7 @@ pub(in crate::structure) struct Tree<C> {
 }
 
 impl<C> Tree<C> {
-    /// The objects alone, so many.
+    /// The number of the objects alone.
     pub(in crate::structure) fn of(objects: usize) -> Self {
         Self {
             objects,

@@ -56,11 +56,11 @@ events! {
 
     /// A ray starts.
     Ray(RayStart) = "ray", Either {
-        /// Why it is cast.
+        /// The purpose of the ray.
         purpose: Purpose,
         /// Its origin and its unit direction.
         ray: Ray = flat,
-        /// Which t count.
+        /// The t that count: from the first to the last.
         range: TRange = flat,
         /// 1 for an eye ray, one more for each surface behind which it was spawned.
         depth: u32,
@@ -73,9 +73,9 @@ events! {
     /// A ray is laid along the z axis.
     Align(Alignment) = "align", Either;
 
-    /// A ray comes to the grid.
+    /// A ray enters the grid, or misses it.
     GridEnter(GridEnter) = "grid_enter", Either {
-        /// The grid's box.
+        /// The box of the grid, in world coordinates, with padding.
         around: AxisBox = flat,
         /// How many cells there are along x, y and z.
         resolution: [u32; 3],
@@ -117,7 +117,7 @@ events! {
     SlabTest(SlabTest) = "slab_test", Either {
         /// What the bound is around.
         of: Bounded = flat,
-        /// The working.
+        /// Near and far of the slab, and of all slabs so far.
         step: SlabStep = flat,
     }
 
@@ -202,9 +202,9 @@ events! {
 
     /// A hit is the nearest so far.
     Nearest(Nearest) = "nearest", Either {
-        /// What is hit.
+        /// The object that is hit.
         object: PrimitiveId,
-        /// t of the hit.
+        /// t of the hit, along the ray.
         t: f64,
         /// What the nearest hit was before; absent: there was none.
         replaced: Option<PrimitiveId> = by replaced,
@@ -212,9 +212,9 @@ events! {
 
     /// A hit lies beyond the cell whose list the object is on: it is kept, and the walk goes on (erratum 6).
     HitOutsideCell(HitOutsideCell) = "hit_outside_cell", Either {
-        /// What is hit.
+        /// The object that is hit.
         object: PrimitiveId,
-        /// t of the hit.
+        /// t of the hit, along the ray.
         t: f64,
         /// t at which the ray leaves the cell.
         t_out: f64,
@@ -232,7 +232,7 @@ events! {
     ZSort(ZSort) = "z_sort", Either {
         /// Its place among the hits, from 0: the nearest.
         place: u32,
-        /// What is hit.
+        /// The object that is hit.
         object: PrimitiveId,
         /// z of the hit in the frame of the ray, which is the ray's t.
         z: f64,
@@ -259,7 +259,7 @@ events! {
 
     /// A photon is stored where it meets a diffuse surface.
     Stored(Stored) = "stored", Path {
-        /// The surface.
+        /// The object whose surface the path or ray is on.
         object: PrimitiveId,
         /// The point of the surface, in world coordinates.
         point: DVec3,
@@ -288,7 +288,7 @@ events! {
     /// E = Σ power / area over the k − 1 nearest photons, with the area of the disc up to the k-th, πr² where the
     /// surface has no edge nearby; or over the cell of a map. L = colour·diffuse/π · E.
     Gathered(Gathered) = "gathered", Pixel {
-        /// The surface.
+        /// The object whose surface the path or ray is on.
         object: PrimitiveId,
         /// The point, in world coordinates.
         point: DVec3,
@@ -306,11 +306,11 @@ events! {
 
     /// The terms of one light are computed.
     LightTerm(LightTerm) = "light_term", Pixel {
-        /// The light.
+        /// The light that the terms are of.
         light: u32 = by light,
         /// Does the light reach the point? If not, its terms do not count.
         visibility: Visibility,
-        /// Its terms.
+        /// N·L, R·V, and the diffuse and the specular term.
         term: PhongTerm = flat,
     }
 
@@ -325,7 +325,7 @@ events! {
     /// surface arriving = leaving + absorbed. A path from the eye meets surfaces in the same way, and carries a weight in
     /// place of a power.
     Photon(Photon) = "photon", Either {
-        /// The surface.
+        /// The object whose surface the path or ray is on.
         object: PrimitiveId,
         /// The point of the surface, in world coordinates.
         point: DVec3,
@@ -396,7 +396,7 @@ events! {
     ///
     /// I = ambient + Σ lights + reflection·I_reflected + transmission·I_refracted.
     Shade(Shade) = "shade", Pixel {
-        /// What is hit.
+        /// The object that is hit.
         object: PrimitiveId,
         /// The point, in world coordinates.
         point: DVec3,

@@ -343,7 +343,7 @@ fields! { CellStep {
 } }
 
 fields! { Alignment {
-    /// o: the ray's origin, which comes to 0.
+    /// o: the ray's origin, which becomes 0.
     origin,
     /// The first row of the rotation, of unit length.
     x,

@@ -15,7 +15,7 @@ const APERTURE: f64 = 1.0 / 20.0;
 #[cfg_attr(feature = "schema", derive(JsonSchema))]
 #[serde(default, deny_unknown_fields)]
 pub struct LightOptions {
-    /// Where chance begins: the same seed gives the same paths.
+    /// The seed of the random numbers: the same seed gives the same paths.
     pub seed: u64,
     /// How many paths of light there are, for forward and hybrid-stored.
     pub paths: u64,
@@ -30,7 +30,7 @@ pub struct LightOptions {
     pub aperture: Option<f64>,
     /// How many of the nearest photons are gathered, for hybrid-stored.
     pub nearest: u32,
-    /// Light is stored in maps, with so many cells along the longer side of a flat surface, for hybrid-stored;
+    /// Light is stored in maps with this number of cells along the longer side of a flat surface, for hybrid-stored;
     /// absent: photon by photon.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub map: Option<u32>,

@@ -25,7 +25,7 @@ pub(super) struct LogLines<R> {
 /// Where the line lies that was read last.
 #[derive(Clone, Copy, Debug)]
 enum LastLine {
-    /// In the input's buffer, so many bytes with its end.
+    /// In the input's buffer: the number of its bytes, the line end included.
     Buffered(usize),
     /// In a copy.
     Copied,

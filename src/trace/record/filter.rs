@@ -114,7 +114,7 @@ pub struct Filter<S> {
     pub kinds: Kinds,
     /// The pixels to let through.
     pub region: Option<Region>,
-    /// Where to.
+    /// The sink that receives the records that pass.
     pub sink: S,
 }
 
@@ -137,7 +137,7 @@ impl<S: Sink> Sink for Filter<S> {
 pub struct Budget<S> {
     /// How many more may pass.
     pub left: u64,
-    /// Where to.
+    /// The sink that receives the records that pass.
     pub sink: S,
 }
 

@@ -1,6 +1,6 @@
 //! Which paths of light of a log have led to a region.
 //!
-//! In a log the paths come before the pixels. Whether a photon has come to a pixel stands on its path; to which
+//! In a log the paths come before the pixels. Whether a photon arrives at a pixel is known at the end of its path; to which
 //! pixel a path was connected follows from its number; but which stored photons a pixel has gathered is known only
 //! when the pixel itself has been read.
 
@@ -15,7 +15,7 @@ use crate::trace::{Event, Kind, Record, Region, Settings, Sink, Transport};
 /// a log without the kind of event that would tell.
 #[derive(Clone, Debug)]
 pub struct PathSieve<S> {
-    /// Where to.
+    /// The sink that receives the records of the paths that count.
     pub sink: S,
     region: Option<Region>,
     tells: Tells,
@@ -25,16 +25,16 @@ pub struct PathSieve<S> {
 /// How a path tells where it has led to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Tells {
-    /// By what came to the eye on it.
+    /// By what of it arrived at the eye.
     Arrivals,
-    /// By that, and by its number: each pixel has so many paths of its own, in pictures of this width.
+    /// By that, and by its number: each pixel has this number of own paths, in pictures of this width.
     Number { samples: u32, width: u32 },
     /// Not at all.
     Nothing,
 }
 
 impl<S: Sink> PathSieve<S> {
-    /// A sieve for a log with these settings, of a picture so many pixels wide; without a region everything passes.
+    /// A sieve for a log with these settings, of a picture of this width in pixels; without a region everything passes.
     pub fn new(settings: &Settings, width: u32, region: Option<Region>, sink: S) -> Self {
         let tells = match settings.transport {
             _ if !names_paths(settings) => Tells::Nothing,
@@ -53,7 +53,7 @@ impl<S: Sink> PathSieve<S> {
         }
     }
 
-    /// All is read: the path that is held back has come to its end.
+    /// All is read: the path that is held back has ended.
     pub fn finish(&mut self) -> ControlFlow<()> {
         if self.held.is_empty() {
             return ControlFlow::Continue(());
@@ -130,7 +130,7 @@ pub(in crate::trace) fn keep_paths_behind(
     records.retain(|record| record.path.is_none_or(|path| behind.contains(&path)));
 }
 
-/// Does something come to the eye here, through a pixel of the region?
+/// Does light arrive at the eye here, through a pixel of the region?
 fn comes_to(record: &Record, region: Region) -> bool {
     match &record.event {
         Event::Arrival(arrival) => region.contains(arrival.pixel),

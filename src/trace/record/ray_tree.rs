@@ -1,4 +1,4 @@
-//! The tree of rays of one pixel: which ray was sent on from which, and what happened on each.
+//! The tree of rays of one pixel: which ray spawned which, and what happened on each.
 
 use std::collections::HashMap;
 
@@ -20,7 +20,7 @@ pub struct RayTree {
 pub struct RayNode {
     /// Its number in the pixel.
     pub id: u32,
-    /// The ray that it was sent on from.
+    /// The ray that spawned it.
     pub parent: Option<u32>,
     /// Its start; `None` if the log was filtered.
     pub start: Option<RayStart>,
@@ -37,7 +37,7 @@ pub struct RayNode {
 pub enum Item {
     /// An event, by its place among the records.
     Event(usize),
-    /// A ray that was sent on here, by its place in [`RayTree::rays`].
+    /// A ray that was spawned here, by its place in [`RayTree::rays`].
     Ray(usize),
 }
 

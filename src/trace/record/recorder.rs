@@ -104,7 +104,7 @@ pub struct Record {
     pub ray: Option<u32>,
     /// For a ray's start: the ray that it was sent on from.
     pub parent: Option<u32>,
-    /// What happened.
+    /// The event, with its working.
     pub event: Event,
 }
 
@@ -132,7 +132,7 @@ impl<S: Sink> Sink for &mut S {
 
 /// Numbers the events and the rays of each pixel and each path of light.
 ///
-/// Rays nest: between a ray's start and its end lie its own tests and the whole of the rays sent on
+/// Rays nest: between a ray's start and its end are its own tests and the whole of the rays spawned
 /// from it. So the ray that an event belongs to is the last one started and not ended.
 #[derive(Clone, Debug, Default)]
 pub(in crate::trace) struct Numbering {
@@ -140,7 +140,7 @@ pub(in crate::trace) struct Numbering {
     path: Option<u32>,
     step: u32,
     rays: u32,
-    /// The ray that events belong to now, and around it those it was sent on from.
+    /// The ray that events belong to now, and before it the rays that spawned it.
     innermost: OpenRay,
     around: Vec<OpenRay>,
 }

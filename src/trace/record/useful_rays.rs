@@ -53,7 +53,7 @@ impl UsefulRays {
         }
     }
 
-    /// The first so many legs of a path contributed.
+    /// The number of the first legs of a path that contributed.
     fn uses(&mut self, path: u32, legs: u32) {
         let known = self.legs.entry(path).or_default();
         *known = legs.max(*known);

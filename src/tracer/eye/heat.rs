@@ -2,7 +2,7 @@
 
 use crate::trace::{Event, NodeVerdict, Purpose, RayVerdict, Recorder, Through};
 
-/// What one eye ray cost, with all rays that were sent on from where it led.
+/// What one eye ray cost, with all rays that it spawned.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Heat {
     /// Objects tested: a polygon counts once, by its plane.
@@ -11,8 +11,8 @@ pub struct Heat {
     pub nodes: u64,
     /// Cells of the grid visited.
     pub cells: u64,
-    /// The largest depth of a ray that was traced: 1 for the eye ray, one more for each surface a ray was
-    /// sent on from, shadow rays included.
+    /// The largest depth of a ray that was traced: 1 for the eye ray, one more for each surface that
+    /// spawned a ray, shadow rays included.
     pub depth: u32,
 }
 

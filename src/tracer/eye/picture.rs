@@ -16,7 +16,7 @@ use crate::tracer::tracer::Tracer;
 /// The colours of a picture, row by row from the top left, before they are cut to 0..1.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Picture {
-    /// Width and height.
+    /// Width and height of the picture in pixels.
     pub pixels: [u32; 2],
     /// One colour per pixel.
     pub colours: Vec<DVec3>,
@@ -50,7 +50,7 @@ pub fn render<S: Strategy, R: Recorder + Default + Send>(
 ) -> Result<(Picture, Vec<R>), Stopped> {
     let camera = &tracer.scene.camera;
     let [width, height] = camera.pixels.map(|side| side as usize);
-    // what light itself brings comes to the whole area of a pixel
+    // what paths of light bring arrives on the whole area of a pixel
     let by_pixel = matches!(
         tracer.transport,
         Transport::Forward | Transport::HybridConnected

@@ -2,13 +2,13 @@
 //!
 //! The balance heuristic (E. Veach and L. Guibas 1995): each way counts in proportion to its density. A path of n
 //! edges can come about with each of them as the line; light has made the vertices before it, the eye those behind it.
-//! The density is the product of φ of all vertices that sent on, and of G of all edges but the line, for a line is
+//! The pdf is the product of φ of all vertices that emit or reflect, and of G of all edges but the line, for a line is
 //! drawn, not sampled. So all densities share all factors but those of their own line,
 //!
 //! w = share / Σ shares,  share = 1 / (G · φ · φ')
 //!
 //! with φ = 1/(4π) at the light, ρ/π at a diffuse surface, d²/(A·cos θ) at the eye with A the window's area. A mirror
-//! or glass sends on in one direction: no line to it ever has that direction, so that its edges cannot be the line.
+//! or glass reflects or refracts in one direction: no line to it ever has that direction, so that its edges cannot be the line.
 //! Through glass, n² of radiance is left out of the densities: the weights still add up to one.
 
 use std::f64::consts::PI;

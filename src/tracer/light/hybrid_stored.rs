@@ -25,7 +25,7 @@ use crate::tracer::surface::Surface;
 /// A photon that was stored.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StoredPhoton {
-    /// Where.
+    /// The point on the surface, in world coordinates.
     pub point: DVec3,
     /// The unit normal of the surface, on the side that it came from.
     pub normal: DVec3,

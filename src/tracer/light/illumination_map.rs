@@ -35,7 +35,7 @@ pub(in crate::tracer) struct CellLight {
 }
 
 impl IlluminationMap {
-    /// An empty map with square cells, so many along the longer side of the corners' extent.
+    /// An empty map with square cells, this number along the longer side of the corners' extent.
     pub(in crate::tracer) fn new(corners: &[DVec3], normal: DVec3, along_longer: u32) -> Self {
         let axes = along(normal);
         let origin = corners.first().copied().unwrap_or_default();

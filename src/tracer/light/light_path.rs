@@ -22,7 +22,7 @@ pub(in crate::tracer) struct LightStart {
 }
 
 impl<S: Strategy> Tracer<'_, S> {
-    /// Follows one path of light: from a light in a direction of chance, and on from surface to surface. A scene
+    /// Follows one path of light: from a light in a random direction, and on from surface to surface. A scene
     /// without lights has none.
     pub(in crate::tracer) fn follow_light<R: Recorder>(
         &self,

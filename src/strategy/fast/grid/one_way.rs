@@ -138,7 +138,7 @@ impl OneWay {
         size_of_val(&*self.planes)
     }
 
-    /// The cell so many cells' sides behind `from`; the first or the last if that is outside.
+    /// The cell at this number of cells behind `from`; the first or the last if that is outside.
     #[inline]
     pub(super) fn cell_at(&self, sides: f64) -> usize {
         // a conversion to whole numbers cuts off what does not fit
