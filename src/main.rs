@@ -11,7 +11,7 @@ fn main() -> ExitCode {
         // who closes a pipe has read enough
         Err(error) if error.is_closed_pipe() => ExitCode::SUCCESS,
         Err(error) => {
-            // there is nobody left to tell if this fails
+            // if this fails, there is no place to report it
             let _ = match &error {
                 cli::Error::Usage(usage) => usage.print(),
                 told => writeln!(

@@ -40,7 +40,7 @@ impl fmt::Display for BookMistake {
             directive,
             what,
         } = self;
-        /// More of a directive than this tells nobody where it is: its line is named, too.
+        /// More letters of a directive do not help to find it: its line is named, too.
         const LONGEST: usize = 120;
         let directive = shortened(directive, LONGEST);
         let what: Vec<String> = what.lines().map(printable).collect();

@@ -47,7 +47,7 @@ const LESSONS: &str = "lessons";
 pub struct Preprocessed {
     /// As mdBook reads it: JSON.
     pub book: String,
-    /// What is to be told and stops nothing.
+    /// Notes, which stop nothing.
     pub notes: Vec<String>,
 }
 

@@ -15,7 +15,7 @@ use crate::cli::figure::drawn;
 use crate::cli::output::Output;
 use crate::cli::same_file::Taken;
 
-/// Draws all figures; writes those that changed, or tells them.
+/// Draws all figures; writes those that changed, or lists them.
 pub(crate) fn run(args: &FiguresArgs) -> Result<(), Error> {
     let library = args.drawing.library()?;
     if args.list {

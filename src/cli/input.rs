@@ -1,4 +1,4 @@
-//! Opening what is to be traced or read: a scene, or a log, told by its first line.
+//! Opening what is to be traced or read: a scene, or a log, recognised by its first line.
 
 use std::fs::File;
 use std::io::{self, BufRead, BufReader, Cursor, Read};
@@ -55,7 +55,7 @@ impl Ready {
         CrowdedCell::of(strategy.grid()?, self.scene.primitives.len())
     }
 
-    /// What `--stats` tells of a trace of this scene.
+    /// What `--stats` reports of a trace of this scene.
     pub(crate) fn report<'a>(
         &'a self,
         strategy: &Chosen<'_>,

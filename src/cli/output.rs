@@ -171,7 +171,7 @@ impl Output {
             return Ok(());
         };
         let failed = |source| Error::Write { file, source };
-        // some file systems tell only now that there was no room
+        // some file systems report only now that there was no space
         if let Err(error) = out.get_ref().sync_all() {
             return Err(failed(error));
         }

@@ -178,8 +178,8 @@ impl Sink for WrittenLines<'_> {
 
 /// Reads a log and writes what is wanted of it, line by line.
 ///
-/// With a region, a path of light is left out if its own events and its number tell that it led elsewhere; of light
-/// that was stored nothing tells before the pixels are read, and all paths stay.
+/// With a region, a path of light is omitted if its own events and its number show that it led elsewhere; of light
+/// that was stored nothing is known before the pixels are read, and all paths stay.
 fn filter_again(mut log: Log, args: &TraceArgs, started: Instant) -> Result<(), Error> {
     let file = input::name_of(&args.scene);
     let missing = |what: String| Error::NotInLog {

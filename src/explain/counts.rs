@@ -98,7 +98,7 @@ fn light_rows(light: &LightCount, row: &mut impl FnMut([String; 4])) {
     }
 }
 
-/// What is told of paths even where it did not occur.
+/// The counts of paths that are shown even if they are 0.
 const FATES: [&str; 5] = [
     "paths emitted",
     "hit something",

@@ -26,7 +26,7 @@ pub struct Line {
     pub tone: Tone,
     /// The number of the ray that the line is about, in its section; `None` outside of all rays.
     pub ray: Option<u32>,
-    /// The steps of the log that the line tells. `None` for a heading, and for what is said of the whole page.
+    /// The steps of the log that the line is about; `None` for a heading, and for a line about the whole page.
     pub steps: Option<StepRange>,
     /// The named part of a derivation that the line is, or the first of several.
     pub part: Option<Part>,

@@ -37,7 +37,7 @@ const LETTER: usize = 8;
 /// Units around and between the parts of the legend: half a letter where they belong together.
 const GAP: usize = LETTER / 2;
 
-/// Height of the bar of colours, in units: a letter and a half, so that its colours can be told.
+/// Height of the bar of colours, in units: a letter and a half, so that its colours can be distinguished.
 const BAR: usize = 12;
 
 /// The legend's width in units: the longest title has 39 letters.

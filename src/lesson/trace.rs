@@ -178,7 +178,7 @@ fn check_paths(spec: &FigureSpec, pixels: [u32; 2]) -> Result<(), FigureError> {
         let fix = "leave \"paths\" out, or take another \"transport\", such as \"forward\"";
         (what, fix.to_owned())
     } else if all == 0 {
-        // what stands against following any is told when the light is looked at
+        // what prevents tracing any is reported when the light is checked
         return Ok(());
     } else if shown == 0 || all.min(MOST_PATHS.into()) < shown.into() {
         let what = format!("{shown} paths cannot be shown: {all} are followed");

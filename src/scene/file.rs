@@ -179,7 +179,7 @@ pub struct Material {
     #[cfg_attr(feature = "schema", schemars(range(min = 0)))]
     pub transmission: f64,
     /// The index of refraction inside. Outside of every object it is 1; what lies in another object is
-    /// not told apart.
+    /// not distinguished.
     #[serde(default = "default_index")]
     #[cfg_attr(feature = "schema", schemars(extend("exclusiveMinimum" = 0)))]
     pub index: f64,

@@ -23,7 +23,7 @@ pub struct Object {
     pub first: PrimitiveId,
     /// How many primitives it has.
     pub count: u32,
-    /// A mesh is told by its faces, even if it has only one.
+    /// A mesh is named by its faces, even if it has only one.
     pub is_mesh: bool,
 }
 

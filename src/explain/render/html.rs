@@ -1,4 +1,4 @@
-//! HTML: a `pre` with the plain text, each line in a `span` that says what it is and which steps it tells.
+//! HTML: a `pre` with the plain text, each line in a `span` that says what it is and which steps it is about.
 
 use std::fmt::Write as _;
 

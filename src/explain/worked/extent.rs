@@ -1,4 +1,4 @@
-//! Which events a line tells, by their places among the records.
+//! Which events a line is about, by their places among the records.
 
 /// From a first record to a last one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]

@@ -9,7 +9,7 @@ use crate::structure::{Hierarchy, Link, SlabSet, range};
 pub(super) struct Leaves(Hierarchy<3>);
 
 impl Leaves {
-    /// The leaves of the hierarchy that the log tells of.
+    /// The leaves of the hierarchy of the log.
     pub(super) fn of(context: &Context) -> Self {
         let build = context.settings.structure.build;
         Self(Hierarchy::new(context.scene, &SlabSet::AXES, build))

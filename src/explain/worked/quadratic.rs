@@ -13,7 +13,7 @@ use crate::explain::worked::steps::Course;
 use crate::geometry::{QuadraticTest, Ray, Roots};
 use crate::scene::{PrimitiveId, Shape};
 
-/// An object whose test is a quadratic, and what its working is told from.
+/// An object whose test is a quadratic, and what its working is written from.
 #[derive(Clone, Copy)]
 pub(super) struct Tested<'a> {
     pub(super) context: &'a Context<'a>,

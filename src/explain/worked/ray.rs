@@ -40,7 +40,7 @@ pub(super) fn ray(context: &Context, place: usize, page: &mut Pen) {
     });
 }
 
-/// What is known of a ray before its steps are told.
+/// What is known of a ray before its steps are written.
 fn course(context: &Context, place: usize, steps: &[Told]) -> Course {
     let node = &context.tree.rays[place];
     let shade = steps.iter().find_map(|told| match told.step {
@@ -121,7 +121,7 @@ fn step(context: &Context, told: &Told, course: &mut Course, page: &mut Pen) {
             test,
             nearest,
         } => {
-            // its nearest hit is told apart
+            // its nearest hit is a step of its own
             let tested = test.decided().unwrap_or(Extent::at(told.extent.first));
             page.telling(tested, |page| {
                 object_test(context, *object, test, course, page);

@@ -1,6 +1,6 @@
-//! Which steps of the log each line tells, once all lines are written.
+//! Which steps of the log each line is about, once all lines are written.
 //!
-//! A line is written with the events that it has words for. Events without words of their own are told with others:
+//! A line is written with the events that it has words for. Events without words of their own belong to the step of others:
 //! one that introduces a step, as `listed` does a test, with the step after it; one that closes a step, as the end of a
 //! ray whose photon says it all, with the step before.
 

@@ -1,4 +1,4 @@
-//! The events of one ray, put together into the steps that a solution tells one by one.
+//! The events of one ray, put together into the steps that a solution writes one by one.
 
 use glam::DVec3;
 
@@ -15,7 +15,7 @@ use crate::trace::{
     RayStart, Shade, Stored,
 };
 
-/// What is known of a ray while its steps are told.
+/// What is known of a ray while its steps are written.
 pub(super) struct Course {
     /// Its place in the tree of rays.
     pub(super) place: usize,
@@ -43,7 +43,7 @@ pub(super) struct Course {
     pub(super) slabs_in_full: bool,
     /// S and T of the ray and each slab.
     pub(super) slab_rays: Vec<RaySlab>,
-    /// The step of the search that was told last.
+    /// The step of the search that was written last.
     pub(super) last: Option<Event>,
     /// The grid that it passes through, without room for rounding; `None` if it is in its box by that room alone.
     pub(super) grid: Option<BareGrid>,

@@ -151,7 +151,7 @@ fn hits(figure: &Figure, sheet: &mut Sheet, plan: &Plan, (ray, walk): (&DrawnRay
     }
 }
 
-/// What there is to be told apart in this figure.
+/// The looks that this figure distinguishes.
 fn legend(
     figure: &Figure,
     (ray, tested): (&DrawnRay, &[Listed]),

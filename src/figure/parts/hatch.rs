@@ -1,4 +1,4 @@
-//! Hatching: an area that is told apart by lines, where its colour alone would not be seen.
+//! Hatching: an area that is marked by lines, where its colour alone would not be seen.
 
 use glam::DVec2;
 

@@ -1,4 +1,4 @@
-//! A path of light, leg by leg, as its events tell it.
+//! A path of light, leg by leg, from its events.
 
 use std::collections::BTreeMap;
 

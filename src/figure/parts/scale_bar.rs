@@ -16,7 +16,7 @@ pub(in crate::figure) fn draw(
     numbers: &[(f64, String)],
     what: &str,
 ) {
-    /// As many as can be told apart, and no more than an SVG should have.
+    /// As many as can be distinguished, and no more than an SVG should have.
     const COLOURS: u32 = 48;
     let line = sheet.line_height();
     let at = |share: f64| bar.min.x + share * bar.size().x;

@@ -31,7 +31,7 @@ pub(in crate::figure) struct Visit {
 /// An object on the list of a cell.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(in crate::figure) struct Listed {
-    /// The step that tells what became of it.
+    /// The step with its verdict.
     pub(in crate::figure) step: u32,
     pub(in crate::figure) object: PrimitiveId,
     /// Was it met? `None` if it was not tested again.
@@ -54,7 +54,7 @@ impl Walk {
                 "add \"strategy\": \"grid\", and draw a scene that has objects",
             )
         })?;
-        // t is told without the room for rounding that the grid's planes have
+        // t is shown without the padding of the grid's planes
         let bare = BareGrid::around(scene, walk.grid.resolution);
         if let Some(start) = ray.node.start
             && bare.inside(&start.ray).is_some()

@@ -12,7 +12,7 @@ use crate::scene::{Scene, SceneFault};
 pub struct Loaded {
     /// What the file says.
     pub scene: SceneFile,
-    /// What was left out or mended while reading: to be told, not to be stopped by.
+    /// Notes of what was ignored or corrected while reading; they do not stop the loading.
     pub notes: Vec<String>,
     /// The files that were read for it: those of its meshes, and its own where it was read from a file.
     pub files: Vec<PathBuf>,

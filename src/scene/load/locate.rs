@@ -31,7 +31,7 @@ impl<'de> DeserializeSeed<'de> for Find<'_> {
     type Value = ();
     fn deserialize<D: Deserializer<'de>>(self, input: D) -> Result<(), D::Error> {
         if self.0.is_empty() {
-            // scalars are passed before their place is told, containers are not
+            // scalars are passed before their place is known, containers are not
             input.deserialize_any(Here)
         } else {
             input.deserialize_any(self)

@@ -2,7 +2,7 @@
 
 use crate::scene::load::error::{LoadError, Place};
 
-/// The bytes as text, without a byte order mark; binary files are told by the line of the first byte
+/// The bytes as text, without a byte order mark; binary files are reported by the line of the first byte
 /// that is none.
 pub(crate) fn text_of<'a>(file: &str, bytes: &'a [u8], fix: &str) -> Result<&'a str, LoadError> {
     let at = match std::str::from_utf8(bytes) {

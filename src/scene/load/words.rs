@@ -1,7 +1,7 @@
 //! Line-oriented text: what NFF and OBJ have in common.
 //!
 //! Lines count from 1, `#` starts a comment that ends with its line, and words stand between white
-//! space. Each word remembers its line, so that a mistake is told with it.
+//! space. Each word remembers its line, so that a mistake is reported with it.
 
 use std::borrow::Cow;
 use std::iter::Peekable;
@@ -225,7 +225,7 @@ pub(super) fn stem(file: &str) -> &str {
         .unwrap_or_default()
 }
 
-/// The number that a word is, or what is wrong with it and what to do; `form` tells what else to do.
+/// The number that a word is, or what is wrong with it and what to do; `form` says what else to do.
 fn number<'a>(word: Word<'_>, form: &'a str) -> Result<f64, (String, Cow<'a, str>)> {
     match word.text.parse::<f64>() {
         Ok(value) if value.is_finite() => Ok(value),

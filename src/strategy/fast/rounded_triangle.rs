@@ -32,7 +32,7 @@ pub(super) struct RoundedTriangle {
     sides: Sides,
 }
 
-/// Where does a ray meet a triangle, as far as its rounded outline can tell?
+/// Where does a ray hit a triangle, as far as its rounded outline can decide?
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum RoundedTest {
     /// Where the triangle's own test finds no hit.

@@ -188,7 +188,7 @@ mod tests {
 
     #[test]
     fn a_cone_along_z_touches_a_box_whose_closest_point_is_within_its_radius_there() {
-        /// Beyond this distance a plane between the two is found; closer, a box may be told to touch that does not.
+        /// Beyond this distance a plane between the two is found; closer, a box may be reported to touch that does not.
         const CLEAR: f64 = 0.25;
         let cones = [(2.0, 2.0), (3.0, 0.0), (0.0, 3.0), (3.0, 1.5), (0.5, 2.5)];
         let (mut touching, mut clear) = (0, 0);

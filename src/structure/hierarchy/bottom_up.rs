@@ -1,6 +1,6 @@
 //! Built from the bottom up: two volumes that lie together are joined, again and again, until one is left.
 //!
-//! Slides: "bounding volume hierarchies organize the objects bottom-up". Which two lie together is told by
+//! Slides: "bounding volume hierarchies organize the objects bottom-up". Which two lie together is decided by
 //! the area of the box around both: the smaller, the better. Joining the best pair of all each time takes
 //! time that grows with the square of the number of objects. Here every volume looks for its best partner
 //! among its neighbours along a curve through space (G. Morton's), and all that have found each other are

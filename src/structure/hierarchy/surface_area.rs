@@ -21,7 +21,7 @@ const BINS: usize = 16;
 const NODE_COST: f64 = 1.5;
 /// The same in tests of spheres, which are cheaper: most of them end after a few products.
 const NODE_COST_IN_SPHERES: f64 = 2.2;
-/// The most objects in a leaf, unless nothing tells them apart.
+/// The most objects in a leaf, unless they cannot be split.
 const LARGEST_LEAF: usize = 8;
 /// From this depth on a node is cut into equal halves: what is left is few objects, or hopeless.
 const DEEPEST: u32 = 64;
@@ -153,7 +153,7 @@ fn cut(items: &mut [Item], solid: &AxisBox, depth: u32, node_cost: f64) -> Optio
             let solids = cut.solids;
             Some(Halves { left, solids })
         }
-        // all centers in one place: nothing tells the objects apart
+        // all centers in one place: the objects cannot be split
         None if count <= LARGEST_LEAF => None,
         None => {
             let (first, second) = items.split_at(count / 2);

@@ -65,7 +65,7 @@ impl<R: BufRead> LogLines<R> {
                     Some(end) => LastLine::Buffered(end + 1),
                     None => return self.copy_line(),
                 },
-                // interrupted, or a true error: reading on tells
+                // interrupted, or a true error: reading on shows which
                 Err(_) => return self.copy_line(),
             };
         }

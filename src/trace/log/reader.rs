@@ -105,7 +105,7 @@ impl<R: BufRead> LogReader<R> {
     }
 
     /// The scene, the settings, and all records that led to one pixel: how the structure was built, the paths of
-    /// light behind the pixel, and its own. The whole log is read, so that damage elsewhere in it is told too.
+    /// light behind the pixel, and its own. The whole log is read, so that damage elsewhere in it is reported too.
     ///
     /// Which photons a pixel has gathered stands after them: of light that was stored, all paths are kept in memory
     /// up to the end.
@@ -141,7 +141,7 @@ impl<R: BufRead> Iterator for LogReader<R> {
     }
 }
 
-/// What the head's lines are told by, wherever it stands in the line.
+/// What identifies the lines of the head, at any place in the line.
 #[derive(serde::Deserialize)]
 struct LineStart {
     kind: String,
@@ -184,7 +184,7 @@ fn read_objects(lines: &mut LogLines<impl BufRead>) -> Result<Vec<ObjectFile>, L
     while let Some(line) = lines.next()? {
         let is_object = match LineStart::of(line) {
             Some(start) => start.kind == "object",
-            // a damaged line is told by how it begins, so that its damage is told below
+            // a damaged line is identified by its beginning, so that its damage is reported below
             None => line.starts_with(b"{\"kind\":\"object\""),
         };
         if !is_object {

@@ -12,7 +12,7 @@ use crate::trace::{Event, Kind, Record, Region, Settings, Sink, Transport};
 /// Lets through the paths of light that can have led to a region, and all that belongs to no path.
 ///
 /// A path is held back up to its end. Of light that is stored on surfaces, every path passes; so does every path of
-/// a log without the kind of event that would tell.
+/// a log without the kind of event that would show it.
 #[derive(Clone, Debug)]
 pub struct PathSieve<S> {
     /// The sink that receives the records of the paths that count.
@@ -22,7 +22,7 @@ pub struct PathSieve<S> {
     held: Vec<Record>,
 }
 
-/// How a path tells where it has led to.
+/// How a path shows where it led.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Tells {
     /// By what of it arrived at the eye.
@@ -113,7 +113,7 @@ pub(in crate::trace) fn keep_paths_behind(
 ) {
     let region = Region::pixel(pixel);
     if !names_paths(settings) {
-        // nothing tells but that the log was made for this pixel
+        // only the log's head shows it: the log was made for this pixel
         let is_for_it = settings.region == Some(region);
         records.retain(|record| record.path.is_none() || is_for_it);
         return;

@@ -1,4 +1,4 @@
-//! Where the walk of a ray through a grid begins, as far as plain arithmetic can tell.
+//! Where the walk of a ray through a grid begins, as far as plain arithmetic can decide.
 
 use glam::DVec3;
 

@@ -69,7 +69,7 @@ static LINE_STARTS: [ShortText<31>; Kind::ALL.len()] = {
     starts
 };
 
-/// The fields of a line that tell where its event belongs: the next line mostly has the same.
+/// The fields of a line that say where its event belongs: the next line mostly has the same.
 #[derive(Clone, Debug, Default)]
 struct PlaceText {
     /// Pixel, path, ray and parent of the line before.
