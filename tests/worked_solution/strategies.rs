@@ -325,7 +325,7 @@ Ray 0: eye ray, depth 1
   B: ellipsoid, center (2, 1, 0), radii (1, 0.5, 0.5)
     discriminant of 3.8394561·t² − 45.415714·t + 147 = 0: b² − 4ac = 2062.5871 − 2257.6002 = −195.01309 < 0, no real root: missed
   C: box from (−3, 0, −1) to (−2, 1, 0)
-    near, far of a slab: S is the coordinate of o along its axis, D is minus the coordinate of a plane, and T = −1/(the component of Δ along the axis)
+    near, far of a slab: S is the coordinate of o along its axis, D is minus the coordinate of a plane, and T is −1 over the component of Δ along the axis
     near, far of −3 ≤ x ≤ −2: T = −1/(−0.231332) = 4.32279, near = (S + D)·T = (0 + 2)·4.32279 = 8.64557, far = (S + D)·T = (0 + 3)·4.32279 = 12.9684
     near, far of 0 ≤ y ≤ 1: T = −1/(−0.120059) = 8.32927, near = (S + D)·T = (1 − 1)·8.32927 = 0, far = (S + D)·T = (1 + 0)·8.32927 = 8.32927
     near, far of −1 ≤ z ≤ 0: T = −1/(−0.965438) = 1.0358, near = (S + D)·T = (6 + 0)·1.0358 = 6.21479, far = (S + D)·T = (6 + 1)·1.0358 = 7.25059

@@ -14,7 +14,7 @@ use crate::scene::{PrimitiveId, Shape};
 
 /// What the letters of a slab across an axis are.
 const LETTERS: &str = "near, far of a slab: S is the coordinate of o along its axis, D is minus the coordinate of a \
-    plane, and T = −1/(the component of Δ along the axis)";
+    plane, and T is −1 over the component of Δ along the axis";
 
 /// near = max of the near values, far = min of the far ones.
 pub(super) fn slabs(
