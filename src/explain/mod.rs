@@ -29,5 +29,7 @@ pub use page::{Fold, Line, Section, StepAddress, StepRange, Tone, Unfold};
 pub use part::{DERIVATIONS, Derivation, Part};
 pub use transports::{ErrorOf, TransportComparison, TransportCost};
 pub use variants::{strategies_to_compare, strategy_title};
+#[cfg(feature = "book")]
 pub(crate) use worked::WorkedOptions;
+#[cfg(feature = "book")]
 pub(crate) use worked::worked_solution;

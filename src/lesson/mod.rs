@@ -13,7 +13,9 @@ pub use error::LessonError;
 pub use file::LessonFile;
 #[cfg(feature = "schema")]
 pub use file::lesson_schema;
+#[cfg(feature = "book")]
 pub(crate) use library::FigureName;
 pub use library::Lesson;
+#[cfg(feature = "files")]
 pub(crate) use library::Library;
 pub use trace::trace_figure;

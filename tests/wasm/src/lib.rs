@@ -12,8 +12,6 @@ use std::sync::{Mutex, OnceLock};
 
 use raystep::explain::render;
 use raystep::trace::{Kinds, Region};
-use raystep::trace::{Kinds, Region};
-use raystep::tracer::{LogOptions, LoggedPaths, check_light_of, follow_light};
 use raystep::tracer::{LogOptions, LoggedPaths, check_light_of, follow_light};
 use raystep::{
     Chosen, FigureName, Library, Rendition, Settings, StrategyName, Through, Tracer, Transport,
