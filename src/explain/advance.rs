@@ -72,7 +72,7 @@ pub fn in_advance(scene: &Scene, settings: &Settings, counts: &Counts) -> Vec<In
     list
 }
 
-/// How many directions of slabs does each ray meet? 0 if its strategy tests none.
+/// How many directions of slabs does each ray hit? 0 if its strategy tests none.
 fn directions(scene: &Scene, settings: &Settings) -> u64 {
     let structure = &settings.structure;
     let has_slabs = match settings.strategy {

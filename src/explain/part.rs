@@ -60,7 +60,7 @@ parts! {
     Coefficients = "coefficients", "a, b, c";
     /// b² − 4ac: its sign says whether there are two roots, one or none.
     Discriminant = "discriminant", "discriminant";
-    /// The t at which the ray meets the surface as if it had no ends.
+    /// The t at which the ray hits the surface as if it had no ends.
     Roots = "roots", "roots";
     /// The height of each root over the base of a cone, which ends at its apex.
     Height = "height", "height";

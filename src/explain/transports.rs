@@ -29,7 +29,7 @@ pub struct TransportCost {
     pub counts: Counts,
     /// Which of the rays brought something.
     pub rays: UsefulRays,
-    /// How far the light that meets one surface is from its closed form; `None` where the closed form is 0.
+    /// How far the light that hits one surface is from its closed form; `None` where the closed form is 0.
     pub error: Option<ErrorOf>,
     /// How long the picture took, counting included.
     pub time: Duration,

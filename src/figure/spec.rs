@@ -165,9 +165,9 @@ pub enum Layer {
     LightPaths,
     /// Lines between a path of light and one from the eye.
     Connections,
-    /// What was met, and where.
+    /// What was hit, and where.
     Hits,
-    /// The normals of what was met.
+    /// The normals of what was hit.
     Normals,
     /// Angles to the normals.
     Angles,

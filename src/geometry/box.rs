@@ -93,7 +93,7 @@ impl AxisBox {
         [self.min[axis], self.max[axis]]
     }
 
-    /// Half its surface: the share of random rays that meet it grows with that. 0 around nothing.
+    /// Half its surface: the share of random rays that hit it grows with that. 0 around nothing.
     #[inline]
     pub fn half_area(&self) -> f64 {
         let side = self.size();
@@ -126,9 +126,9 @@ impl AxisBox {
             .filter(|ends| ends.iter().all(|t| t.is_finite()))
     }
 
-    /// Where does the ray meet the box?
+    /// Where does the ray hit the box?
     ///
-    /// near = max(nearₓ, near_y, near_z), far = min(farₓ, far_y, far_z); the ray meets the box if
+    /// near = max(nearₓ, near_y, near_z), far = min(farₓ, far_y, far_z); the ray hits the box if
     /// near ≤ far. Slides: "the intersection of the ray's intersections with each of the slabs".
     ///
     /// A ray parallel to a slab is inside it for all t or for none; in a face counts as inside.

@@ -96,7 +96,7 @@ impl Cone {
         }
     }
 
-    /// Where does the ray meet the surface between base and apex?
+    /// Where does the ray hit the surface between base and apex?
     ///
     /// With m = o − base split into a height m·w and a part m⊥ across the axis, Δ likewise, and R the
     /// radius at the origin's height, R = r_base + k(m·w):

@@ -15,7 +15,7 @@ pub struct Ellipsoid {
 }
 
 impl Ellipsoid {
-    /// Where does the ray meet the ellipsoid?
+    /// Where does the ray hit the ellipsoid?
     ///
     /// The slides' (iii) for the unit sphere and the ray o′ + t·Δ′, with o′ = (o − center)/radii and
     /// Δ′ = Δ/radii. The transformation is linear, so t stays what it was; but Δ′ has no unit length

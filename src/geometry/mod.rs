@@ -1,6 +1,6 @@
 //! Pure mathematics that returns its working.
 //!
-//! Each test answers where a ray meets a surface, and hands back every intermediate quantity in a
+//! Each test answers where a ray hits a surface, and returns every intermediate quantity in a
 //! small struct: that struct is the result and, one layer up, the payload of a trace event. Nothing
 //! here does I/O, records or panics on finite input.
 

@@ -21,7 +21,7 @@ pub struct OrientedEllipsoid {
 }
 
 impl OrientedEllipsoid {
-    /// Where does the ray meet the ellipsoid?
+    /// Where does the ray hit the ellipsoid?
     ///
     /// The slides' (iii) in the space of the half axes, each coordinate divided by rᵢ/r and r the smallest
     /// of the three: there the ellipsoid is the sphere of radius r around 0,

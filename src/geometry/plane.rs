@@ -103,11 +103,11 @@ pub struct PlaneTest {
     pub numerator: f64,
     /// A·Δx + B·Δy + C·Δz: the cosine between ray and normal, for a unit ray.
     pub denominator: f64,
-    /// Where they meet, or how they are parallel.
+    /// Where they intersect, or how they are parallel.
     pub verdict: PlaneVerdict,
 }
 
-/// Does a ray meet a plane?
+/// Does a ray hit a plane?
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum PlaneVerdict {
     /// The line does, at this t; the root's verdict says whether the ray does (erratum 12).
@@ -125,7 +125,7 @@ impl Default for PlaneVerdict {
 }
 
 impl PlaneTest {
-    /// t, if the plane is met where it counts.
+    /// t, if the plane is hit where it counts.
     #[inline]
     pub fn chosen(&self) -> Option<f64> {
         match self.verdict {
@@ -187,13 +187,13 @@ impl Plane {
         self.normal.dot(point) + self.d
     }
 
-    /// Where does the ray meet the plane?
+    /// Where does the ray hit the plane?
     ///
     /// t = −(A·x₀ + B·y₀ + C·z₀ + D) / (A·Δx + B·Δy + C·Δz) … (v)
     ///
     /// Parallel if the denominator is 0, that is, within 4ε of the size of its own terms; then in the
     /// plane if the numerator is 0 by the same measure, else beside it. A denominator above 0 means
-    /// that the ray meets the back.
+    /// that the ray hits the back.
     ///
     /// ```
     /// use glam::DVec3;

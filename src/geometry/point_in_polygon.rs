@@ -1,4 +1,4 @@
-//! Does the point p where the ray meets the plane lie inside the polygon? (Fig. 15.57)
+//! Does the point p where the ray hits the plane lie inside the polygon? (Fig. 15.57)
 //!
 //! The polygon and p are projected along the dropped axis. From p′ a half-line runs in the direction
 //! of the first remaining coordinate, u; p′ is inside if an odd number of edges crosses it
@@ -64,7 +64,7 @@ pub struct PolygonTest {
     pub dropped: Axis,
     /// Its coefficient in (iv), the largest in absolute value.
     pub coefficient: f64,
-    /// p: where the ray meets the plane.
+    /// p: where the ray hits the plane.
     pub point: DVec3,
     /// p′: p without the dropped coordinate.
     pub projected: DVec2,
@@ -139,10 +139,10 @@ impl Polygon {
         })
     }
 
-    /// How far may p′ lie from where the exact ray would meet the polygon?
+    /// How far may p′ lie from where the exact ray would hit the polygon?
     ///
     /// Three errors add up, the first two relative to the numbers that enter (v), and all are
-    /// stretched by how flatly the ray meets the plane, |Δ|/|A·Δx + B·Δy + C·Δz|: the rounding of t,
+    /// stretched by how flatly the ray hits the plane, |Δ|/|A·Δx + B·Δy + C·Δz|: the rounding of t,
     /// the rounding of o + t·Δ, and the vertices' distance from the plane. 32ε covers the some twenty
     /// roundings of the first two. The third has the rounding of the largest vertex in it, and with that
     /// the sign of `side` for an edge that p′ is level with but not near.

@@ -29,8 +29,8 @@ pub struct Polygon {
 /// with six digits.
 pub(crate) const PLANARITY: f64 = 1e-5;
 
-/// A ray that meets the plane more flatly than 1 in 64 has its t kept to the outline; one that does
-/// not can meet the plane up to 64 times the vertices' distance from it away from them.
+/// A ray that hits the plane more flatly than 1 in 64 has its t kept to the outline; one that does
+/// not can hit the plane up to 64 times the vertices' distance from it away from them.
 const FLATTEST: f64 = 1.0 / FLAT;
 
 /// Why a list of vertices is no polygon.
@@ -180,7 +180,7 @@ impl Polygon {
         self.corners.dropped()
     }
 
-    /// Where does the ray meet the polygon's plane? Whether that point lies inside is
+    /// Where does the ray hit the polygon's plane? Whether that point lies inside is
     /// [`Polygon::contains`].
     ///
     /// t of (v), unless the ray is flat: |A·Δx + B·Δy + C·Δz| ≤ (|Δx| + |Δy| + |Δz|)/64. Then the division

@@ -63,7 +63,7 @@ impl Ray {
 
 /// Which t count? Those with t > 0 and `min` ≤ t ≤ `max`.
 ///
-/// `min` is 0 for an eye ray and ε for a ray that starts on a surface, so that it does not meet that
+/// `min` is 0 for an eye ray and ε for a ray that starts on a surface, so that it does not hit that
 /// surface again (erratum 8). `max` is the nearest hit so far, or the distance to the light; both
 /// ends count, because of two objects at equal t the one that comes first in the scene wins, and
 /// that is decided by whoever compares them.

@@ -18,9 +18,9 @@ pub enum RootVerdict {
     BelowEpsilon,
     /// Further than the nearest hit known so far, than the light, or than this object's other root.
     BeyondNearest,
-    /// The surface shows only its front, and the ray meets its back.
+    /// The surface shows only its front, and the ray hits its back.
     BackFace,
-    /// The surface shows only its back, and the ray meets its front.
+    /// The surface shows only its back, and the ray hits its front.
     FrontFace,
     /// On the infinite cone or cylinder, but not between base and apex.
     BeyondEnds,
@@ -41,7 +41,7 @@ pub enum Sides {
     Back,
 }
 
-/// A value of t at which the ray meets a surface, and what became of it.
+/// A value of t at which the ray hits a surface, and what became of it.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Root {
     /// t along the ray, in lengths of Δ.
@@ -50,7 +50,7 @@ pub struct Root {
     pub verdict: RootVerdict,
 }
 
-/// Where does a ray meet a surface of second degree, or a box?
+/// Where does a ray hit a surface of second degree, or a box?
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Roots {
     /// Nowhere: no real root.
@@ -106,7 +106,7 @@ pub(crate) fn verdict_of(t: f64, range: TRange) -> RootVerdict {
     }
 }
 
-/// Can the side be seen that the ray meets? `entering` means that it meets the front.
+/// Can the side be seen that the ray hits? `entering` means that it hits the front.
 #[inline]
 pub(crate) fn hidden_side(entering: bool, sides: Sides) -> Option<RootVerdict> {
     match sides {

@@ -46,7 +46,7 @@ impl SlabInterval {
     /// `origin` and moves by `direction` along that axis while t grows by 1?
     ///
     /// t = (plane − origin)/direction; parallel if `direction` is 0. One division for each plane and no T: the form for
-    /// a box whose slabs a ray meets once.
+    /// a box whose slabs a ray hits once.
     ///
     /// ```
     /// use raystep::geometry::SlabInterval;

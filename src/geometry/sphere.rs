@@ -16,7 +16,7 @@ pub struct Sphere {
 }
 
 impl Sphere {
-    /// Where does the ray meet the sphere?
+    /// Where does the ray hit the sphere?
     ///
     /// a·t² + b·t + c = 0 … (iii), with
     /// a = Δx² + Δy² + Δz² (1 for a unit ray),

@@ -111,7 +111,7 @@ fn picture<S: Strategy, R: Recorder + Default + Send>(
     Ok(picture)
 }
 
-/// The picture of light that meets only one surface between lamp and eye. With rays to the lamps it is the closed
+/// The picture of light that hits only one surface between lamp and eye. With rays to the lamps it is the closed
 /// form: L = Σ colour·diffuse/π · Φ·cos θ/(4π·r²) over the lamps that a point sees.
 fn one_surface<S: Strategy>(
     scene: &Scene,

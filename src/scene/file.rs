@@ -27,7 +27,7 @@ pub struct SceneFile {
     pub name: String,
     /// The eye, the window and its division into pixels.
     pub camera: CameraFile,
-    /// The colour of a ray that meets nothing.
+    /// The colour of a ray that hits nothing.
     #[serde(default)]
     pub background: [f64; 3],
     /// The ambient light in red, green and blue: it reaches every surface from all directions.

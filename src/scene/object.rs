@@ -34,7 +34,7 @@ pub struct Primitive {
     pub shape: Shape,
     /// Its place in [`Scene::objects`](crate::scene::Scene::objects).
     pub object: u32,
-    /// Which sides a ray can meet.
+    /// Which sides a ray can hit.
     pub sides: Sides,
 }
 

@@ -24,7 +24,7 @@ pub struct Scene {
     pub camera: Camera,
     /// The camera as the file has it.
     camera_file: CameraFile,
-    /// The colour of a ray that meets nothing.
+    /// The colour of a ray that hits nothing.
     pub background: DVec3,
     /// The ambient light in red, green and blue: it reaches every surface from all directions.
     pub ambient: DVec3,

@@ -1,4 +1,4 @@
-//! Bounding volumes: an object is tested only if the ray meets the volume around it.
+//! Bounding volumes: an object is tested only if the ray hits the volume around it.
 //!
 //! Slides, "Optimizing Intersection Calculations": "the object need not be tested if the ray fails to
 //! intersect with its bounding volume". Each test becomes cheaper, but every object still has one: the work
@@ -13,7 +13,7 @@ use crate::strategy::{Search, Strategy};
 use crate::structure::{SlabSet, Volume, VolumeKind, VolumeRay, reach, room};
 use crate::trace::{BoundTest, BoundVerdict, Bounded, Event, Recorder, SlabTest};
 
-/// Tests a ray against the volume around each object, in the order of the scene, and if it meets that where
+/// Tests a ray against the volume around each object, in the order of the scene, and if it hits that where
 /// a hit still counts, against the object.
 #[derive(Clone, Debug)]
 pub struct BoundedObjects<'a, const N: usize = MOST_SLABS> {
@@ -51,7 +51,7 @@ impl<'a, const N: usize> BoundedObjects<'a, N> {
         room(ray, self.reach)
     }
 
-    /// Does the ray meet the volume around an object where a hit still counts?
+    /// Does the ray hit the volume around an object where a hit still counts?
     fn meets<R: Recorder>(
         &self,
         object: u32,

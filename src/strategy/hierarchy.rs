@@ -1,4 +1,4 @@
-//! Hierarchies: a child is looked at only if the ray meets its parent's bound.
+//! Hierarchies: a child is tested only if the ray hits its parent's bound.
 //!
 //! Slides, "Traverse the Hierarchies":
 //! `HIER_traverse(ray r, node n) { if (r intersects bounding volume of n) if (n is a leaf) intersect r with

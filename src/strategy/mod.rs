@@ -38,7 +38,7 @@ use std::ops::ControlFlow;
 use crate::geometry::{Ray, TRange};
 use crate::trace::Recorder;
 
-/// A way to find what a ray meets.
+/// A way to find what a ray hits.
 ///
 /// Every strategy finds the same object at the same t, bit for bit, as the exhaustive one; of two
 /// objects at equal t the one that comes first in the scene. So nothing is left out at equality.

@@ -15,7 +15,7 @@ pub(super) struct Nodes<'a, const N: usize> {
     pub(super) hierarchy: Hierarchy<N>,
 }
 
-/// A node whose bound the ray meets, and which waits to be entered: by its turn.
+/// A node whose bound the ray hits, and which waits to be entered: by its turn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) struct Waiting {
     pub(super) turn: Turn,
@@ -36,7 +36,7 @@ impl<'a, const N: usize> Nodes<'a, N> {
         self.hierarchy.nodes()[node as usize].link
     }
 
-    /// The root, if there is one and the ray meets its bound.
+    /// The root, if there is one and the ray hits its bound.
     pub(super) fn root<R: Recorder>(
         &self,
         ray: &RaySlabs<N>,
@@ -47,7 +47,7 @@ impl<'a, const N: usize> Nodes<'a, N> {
         self.meets(0, 0, ray, range, recorder)
     }
 
-    /// Does the ray meet a node's bound where a hit still counts? Slab by slab, until it misses one.
+    /// Does the ray hit a node's bound where a hit still counts? Slab by slab, until it misses one.
     pub(super) fn meets<R: Recorder>(
         &self,
         node: u32,

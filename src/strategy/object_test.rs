@@ -4,7 +4,7 @@ use crate::geometry::{Ray, TRange};
 use crate::scene::{Primitive, PrimitiveId, Shape};
 use crate::trace::{Event, Recorder};
 
-/// Where does the ray meet the primitive, if it does so in the range?
+/// Where does the ray hit the primitive, if it does so in the range?
 #[inline]
 pub fn test_primitive<R: Recorder>(
     object: PrimitiveId,

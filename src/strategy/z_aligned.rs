@@ -169,7 +169,7 @@ mod tests {
             noted_in(&strategy, &ray, TRange::FORWARD.up_to(2.9)).1,
             None
         );
-        // a shadow ray ends at the first that it meets in the order of the scene
+        // a shadow ray ends at the first that it hits in the order of the scene
         let any = strategy.any(&ray, TRange::FORWARD, &mut Off).unwrap();
         assert_eq!((any.object, any.t), (PrimitiveId(0), 5.0));
     }

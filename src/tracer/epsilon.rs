@@ -1,13 +1,13 @@
 //! ε: how far from its origin a ray must go before a hit counts.
 //!
-//! The slides ask for the smallest positive t. A ray that starts on a surface would meet that surface
+//! The slides ask for the smallest positive t. A ray that starts on a surface would hit that surface
 //! again at a t of rounding size, so it needs t > ε (erratum 8).
 
 use glam::DVec3;
 
 /// ε as a share of the numbers that the point was computed from.
 ///
-/// A point's coordinates are wrong by some 10⁻¹⁵ of those numbers, more where a ray meets a surface
+/// A point's coordinates are wrong by some 10⁻¹⁵ of those numbers, more where a ray hits a surface
 /// flatly; 10⁻⁹ leaves room for a million times that and is far below anything that shows in a
 /// picture.
 pub const EPSILON: f64 = 1e-9;

@@ -46,7 +46,7 @@
 //! - *hybrid-light* sends one, straight: a ray through glass is blocked by it, and light that comes from another
 //!   surface is left to `ambient`.
 //! - *forward* sees everything that reaches the eye, and nearly nothing reaches it: an eye of aperture 0 is a point,
-//!   which no photon meets. With an aperture the picture is sharp in the plane of the window and blurred elsewhere.
+//!   which no photon hits. With an aperture the picture is sharp in the plane of the window and blurred elsewhere.
 //! - *hybrid-stored* sees everything too; the disc of the nearest photons blurs shadows and caustics.
 //! - *hybrid-connected* has nothing to connect where both ends of every line are mirrors or glass: the mirror image of
 //!   a caustic. A caustic itself is found by lines from the floor to the eye.

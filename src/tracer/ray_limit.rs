@@ -1,6 +1,6 @@
 //! How many rays one pixel may take.
 //!
-//! A ray that meets a surface which reflects and transmits is followed by two, each of which may be followed by two
+//! A ray that hits a surface which reflects and transmits is followed by two, each of which may be followed by two
 //! again: between two panes of glass 100 deep that would be 2¹⁰⁰ rays. The limit ends such a tree.
 
 use std::ops::ControlFlow;

@@ -21,7 +21,7 @@ pub struct Surface<'a> {
     pub normal: DVec3,
     /// The unit normal across the surface itself, on the same side. It differs where a mesh is shaded smoothly.
     pub across: DVec3,
-    /// The ray meets the back of the surface: from inside, in a solid.
+    /// The ray hits the back of the surface: from inside, in a solid.
     pub back: bool,
     /// Unit direction of the ray that hit the surface.
     pub incoming: DVec3,

@@ -48,7 +48,7 @@ impl<'a, S: Strategy> Tracer<'a, S> {
         Self { max_rays, ..self }
     }
 
-    /// The surface that a ray has met.
+    /// The surface that a ray has hit.
     pub(in crate::tracer) fn surface(&self, start: &RayStart, hit: Hit) -> Surface<'_> {
         let point = start.ray.at(hit.t);
         let normals = self.scene.primitive(hit.object).shape.normals(point);

@@ -15,7 +15,7 @@ use crate::explain::worked::vertex::{Vertex, VertexPlace};
 use crate::explain::worked::{ray, seen, vertex, weight};
 use crate::trace::{Connection, Kind, Photon};
 
-/// The working of a line; `eye` is what the path from the eye has met.
+/// The working of a line; `eye` is what the path from the eye has hit.
 pub(super) fn connect(context: &Context, joined: &Joined, eye: &[Photon], page: &mut Pen) {
     page.gap();
     let Some(line) = joined.connection.filter(|_| shows_lines(context)) else {

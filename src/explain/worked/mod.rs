@@ -2,7 +2,7 @@
 //!
 //! First come the paths of light that led to the pixel, if light was followed, then the pixel itself. Of each it
 //! walks the tree of rays that the records make and writes each step where it happened. A test that
-//! hits is worked out in full, one that misses in a line or two; where a ray meets many objects, most of
+//! hits is worked out in full, one that misses in a line or two; where a ray hits many objects, most of
 //! its misses are summed up unless all are asked for.
 
 mod aligned;

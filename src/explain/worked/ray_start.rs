@@ -77,7 +77,7 @@ pub(super) fn ray_start(
     page.headed(Part::Ray, text);
 }
 
-/// Direction and normal where a ray met its surface.
+/// Direction and normal where a ray hit its surface.
 fn surface_of(context: &Context, ray: u32) -> Option<(DVec3, DVec3)> {
     let node = &context.tree.rays[context.tree.find(ray)?];
     let shade = steps(context, &node.items)

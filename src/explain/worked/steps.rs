@@ -121,7 +121,7 @@ pub(super) enum Test {
     Ellipsoid(QuadraticTest),
     Cone(QuadraticTest),
     Box(BoxTest),
-    /// A plane, and if it was met where it counts, its edges and the verdict. In a filtered log any of
+    /// A plane, and if it was hit where it counts, its edges and the verdict. In a filtered log any of
     /// the three may be missing.
     Polygon {
         plane: Option<Noted<PlaneTest>>,

@@ -145,7 +145,7 @@ fn in_world(figure: &Figure, sheet: &mut Sheet, frame: Frame, laid: &Laid) {
     }
 }
 
-/// The t to which the ray is drawn: a little beyond the last object that it meets, or beyond all if it meets none.
+/// The t to which the ray is drawn: a little beyond the last object that it hits, or beyond all if it hits none.
 fn furthest(figure: &Figure, laid: &Laid) -> f64 {
     let Ray { origin, direction } = laid.ray;
     let is_met = |id: PrimitiveId| laid.sorted.iter().any(|(hit, _)| hit.object == id);

@@ -38,7 +38,7 @@ pub(super) const KIND: Kind = Kind {
 /// A path with its vertices, from the light or from the eye.
 #[derive(Default)]
 struct Walk {
-    /// Where it begins, then each surface that it meets, with the step at which it does.
+    /// Where it begins, then each surface that it hits, with the step at which it does.
     vertices: Vec<(Option<u32>, DVec3)>,
     objects: Vec<PrimitiveId>,
 }

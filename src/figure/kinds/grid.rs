@@ -32,7 +32,7 @@ pub(super) const KIND: Kind = Kind {
     ],
 };
 
-/// An object that was met, but behind another.
+/// An object that was hit, but behind another.
 const MET: Look = Look {
     dash: Dash::Alternating,
     ..Look::HIT
@@ -125,7 +125,7 @@ fn object(figure: &Figure, sheet: &mut Sheet, stage: &Stage, (ray, tested): (&Dr
     outline::draw(sheet, stage, &outline, look(ray, tested));
 }
 
-/// Where objects were met.
+/// Where objects were hit.
 fn hits(figure: &Figure, sheet: &mut Sheet, plan: &Plan, (ray, walk): (&DrawnRay, &Walk)) {
     let frame = plan.stage.frame;
     for (place, visit) in walk.visits.iter().enumerate() {

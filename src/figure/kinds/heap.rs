@@ -45,7 +45,7 @@ struct Turn {
     step: u32,
     /// What waits afterwards, the nearest first.
     waiting: Vec<Entry>,
-    /// Objects that were tested, and whether they were met.
+    /// Objects that were tested, and whether they were hit.
     tested: Vec<(PrimitiveId, u32, bool)>,
     /// The nearest hit by then.
     nearest: Option<(PrimitiveId, f64, u32)>,
@@ -292,7 +292,7 @@ fn widest(sheet: &Sheet, turns: &[Turn]) -> f64 {
     texts.fold(sheet.width_of("00: 0.000"), f64::max)
 }
 
-/// The objects of a leaf that were tested: those that were met in a solid frame.
+/// The objects of a leaf that were tested: those that were hit in a solid frame.
 fn tests(figure: &Figure, sheet: &mut Sheet, middle: DVec2, turn: &Turn) {
     let gap = 0.5 * sheet.letters;
     let names = turn

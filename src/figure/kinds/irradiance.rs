@@ -25,7 +25,7 @@ pub(super) const KIND: Kind = Kind {
     more: &[],
 };
 
-/// E of each pixel, the mean of its colours, from the top left; `None` where the eye ray meets nothing diffuse.
+/// E of each pixel, the mean of its colours, from the top left; `None` where the eye ray hits nothing diffuse.
 struct Map(Vec<Option<f64>>);
 
 impl Map {

@@ -29,7 +29,7 @@ pub(super) const KIND: Kind = Kind {
 /// How far the line is shown behind the COP and beyond the last point, in lengths of Δ.
 const BEYOND: f64 = 1.3;
 
-/// The ray twice, and what it meets.
+/// The ray twice, and what it hits.
 struct Line {
     /// With Δ from the COP to the window.
     to_window: Ray,

@@ -227,7 +227,7 @@ fn upwards(across: DVec2) -> DVec2 {
     if 0.0 < across.y { -across } else { across }
 }
 
-/// Where a ray that meets nothing leaves the frame.
+/// Where a ray that hits nothing leaves the frame.
 fn leaves(stage: &Stage, ray: &Ray) -> Option<DVec2> {
     let t = stage.leaves(ray)?;
     Some(stage.place(ray.at(t)))

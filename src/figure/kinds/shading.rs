@@ -1,4 +1,4 @@
-//! Where a ray meets a surface: N, L, R and V, and the terms of the shade that a light adds there.
+//! Where a ray hits a surface: N, L, R and V, and the terms of the shade that a light adds there.
 //!
 //! I = ambient + light·[colour·diffuse·max(0, N·L) + specular·max(0, R·V)^shininess]
 
@@ -118,7 +118,7 @@ fn counts(light: &LightTerm) -> bool {
     )
 }
 
-/// How long a unit vector is drawn: a little more than half the largest side of the object that was met.
+/// How long a unit vector is drawn: a little more than half the largest side of the object that was hit.
 fn length(figure: &Figure, point: &Point) -> f64 {
     const SHARE: f64 = 0.57;
     let shape = &figure.scene.primitive(point.shade.object).shape;

@@ -40,7 +40,7 @@ struct Solved {
     starts: Option<u32>,
     /// The step of the test.
     step: u32,
-    /// The shade where the sphere was met, and its step.
+    /// The shade where the sphere was hit, and its step.
     shade: Option<(Shade, u32)>,
 }
 

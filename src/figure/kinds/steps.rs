@@ -1,5 +1,5 @@
 //! The steps of a walk through a grid (slides, "Spatial Partitioning", last point; 3DDDA): for each cell the t at
-//! which the ray meets the next plane across x, y and z; the smallest is where it leaves the cell.
+//! which the ray hits the next plane across x, y and z; the smallest is where it leaves the cell.
 
 use glam::DVec2;
 
@@ -70,7 +70,7 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
     Ok(in_words(&walk, &rows))
 }
 
-/// Where the ray meets planes: a form for each axis, the t beside it.
+/// Where the ray hits planes: a form for each axis, the t beside it.
 fn crossings(figure: &Figure, sheet: &mut Sheet, plan: &Plan, walk: &Walk) {
     let label = |sheet: &mut Sheet, t: f64, towards: DVec2| {
         if figure.shows(Layer::Numbers) {

@@ -1,5 +1,5 @@
 //! Bounding volumes around the same object, and what they waste: the space between object and volume, and the rays
-//! that meet the volume and miss the object (slides, "Optimizing Intersection Calculations").
+//! that hit the volume and miss the object (slides, "Optimizing Intersection Calculations").
 //!
 //! Of a mesh the hull of its outline counts as the object.
 
@@ -66,7 +66,7 @@ struct Tested {
     ray: Ray,
     bound: BoundTest,
     verdict: Verdict,
-    /// Where the object was met.
+    /// Where the object was hit.
     t: Option<f64>,
     /// The step of the volume's test.
     step: u32,

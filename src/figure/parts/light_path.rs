@@ -12,7 +12,7 @@ pub(in crate::figure) struct LightPath<'a> {
     pub(in crate::figure) legs: Vec<Leg<'a>>,
 }
 
-/// A stretch of it, from where it starts to where it meets something.
+/// A stretch of it, from where it starts to where it hits something.
 #[derive(Clone, Debug)]
 pub(in crate::figure) struct Leg<'a> {
     pub(in crate::figure) start: &'a RayStart,

@@ -1,4 +1,4 @@
-//! The parabola y = a·t² + b·t + c of equation (iii), whose zeros are where a ray meets a surface.
+//! The parabola y = a·t² + b·t + c of equation (iii), whose zeros are where a ray hits a surface.
 
 use glam::DVec2;
 

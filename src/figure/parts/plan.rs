@@ -33,7 +33,7 @@ struct Part {
     from: f64,
     /// Where it enters the grid's box, and where it leaves it.
     inside: [f64; 2],
-    /// Where it ends: at what it meets, or a little beyond the box.
+    /// Where it ends: at what it hits, or a little beyond the box.
     ends: f64,
 }
 

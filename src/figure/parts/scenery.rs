@@ -67,7 +67,7 @@ pub(in crate::figure) fn some_objects(
     }
 }
 
-/// All objects, those that rays have met marked if hits are shown.
+/// All objects, those that rays have hit marked if hits are shown.
 pub(in crate::figure) fn objects_met(
     figure: &Figure,
     sheet: &mut Sheet,

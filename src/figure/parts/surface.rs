@@ -1,4 +1,4 @@
-//! Where a ray meets a surface: the normal, the angles to it on both sides, and what that means in words.
+//! Where a ray hits a surface: the normal, the angles to it on both sides, and what that means in words.
 
 use glam::DVec3;
 
@@ -17,7 +17,7 @@ const NORMAL: f64 = 78.0;
 /// The radius of an angle's arc, likewise: a label between two lines at 25° has room beyond it.
 const ARC: f64 = 46.0;
 
-/// What was recorded where a ray met a surface.
+/// What was recorded where a ray hit a surface.
 struct Met<'a> {
     record: &'a Record,
     shade: &'a Shade,
@@ -64,7 +64,7 @@ impl<'a> Met<'a> {
     }
 }
 
-/// Draws the normal where a ray met a surface, and the angles to it. A surface that sends nothing on is left alone
+/// Draws the normal where a ray hit a surface, and the angles to it. A surface that spawns no ray is left alone
 /// where others do.
 pub(in crate::figure) fn draw(
     figure: &Figure,

@@ -11,11 +11,11 @@ pub(in crate::figure) enum Verdict {
     /// The ray never visited it.
     #[default]
     Unreached,
-    /// The ray meets its bound, and the search ended before it was its turn.
+    /// The ray hits its bound, and the search ended before it was its turn.
     Waiting,
     /// What is below it was looked at.
     Entered,
-    /// The ray does not meet its bound in front of it.
+    /// The ray does not hit its bound in front of it.
     Rejected,
     /// A nearer hit was known.
     Pruned,
@@ -75,7 +75,7 @@ pub(in crate::figure) struct Visits {
     pub(in crate::figure) nodes: Vec<Visit>,
     /// Nodes in the order in which they were decided.
     pub(in crate::figure) order: Vec<u32>,
-    /// Objects that were tested, in order: at which step, and whether they were met.
+    /// Objects that were tested, in order: at which step, and whether they were hit.
     pub(in crate::figure) tested: Vec<(PrimitiveId, u32, bool)>,
 }
 
@@ -139,7 +139,7 @@ impl Visits {
     }
 }
 
-/// The object that an event tests, and whether it is met.
+/// The object that an event tests, and whether it is hit.
 pub(in crate::figure) fn tested(event: &Event) -> Option<(PrimitiveId, bool)> {
     let object = match event {
         Event::SphereTest { object, .. }
@@ -153,7 +153,7 @@ pub(in crate::figure) fn tested(event: &Event) -> Option<(PrimitiveId, bool)> {
     Some((object, event.test_hits().unwrap_or(false)))
 }
 
-/// The object that a ray has met when it ends, and where.
+/// The object that a ray has hit when it ends, and where.
 pub(in crate::figure) fn met(ray: &DrawnRay) -> Option<(PrimitiveId, f64)> {
     let end = ray.node.end?;
     Some((end.object?, end.t?))

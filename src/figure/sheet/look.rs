@@ -168,7 +168,7 @@ impl Look {
     /// Such a line with something between its ends.
     pub(in crate::figure) const BLOCKED_CONNECTION: Self =
         Self::line(Colour::Visited, 1.25, Dash::Dashed);
-    /// What was met.
+    /// What was hit.
     pub(in crate::figure) const HIT: Self = Self::area(Colour::Hit, 2.5, Dash::Solid);
     /// What was tested and refused.
     pub(in crate::figure) const REJECTED: Self = Self::area(Colour::Rejected, 1.75, Dash::Dashed);

@@ -83,7 +83,7 @@ mod tests {
 
     #[test]
     fn a_node_that_waits_behind_the_nearest_child_is_entered_if_it_begins_before_the_hit() {
-        // the bound of a slanted triangle begins at x = 1, and the ray meets the triangle at 10; the cube begins at 3
+        // the bound of a slanted triangle begins at x = 1, and the ray hits the triangle at 10; the cube begins at 3
         let slanted = polygon(&[[1.0, -9.0, 0.0], [11.0, 1.0, 0.0], [11.0, 1.0, 4.0]]);
         for shapes in [[slanted.clone(), cube_at(3.0)], [cube_at(3.0), slanted]] {
             let scene = scene_of(&shapes);

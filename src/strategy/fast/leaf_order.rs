@@ -188,7 +188,7 @@ impl Listed {
         }
     }
 
-    /// Where does the ray meet the object, if it does so in the range? As [`test_primitive`] says.
+    /// Where does the ray hit the object, if it does so in the range? As [`test_primitive`] says.
     #[inline]
     pub(super) fn test(&self, scene: &Scene, ray: &Ray, range: TRange) -> Option<f64> {
         match self {

@@ -8,7 +8,7 @@ use crate::strategy::fast::sphere;
 use crate::strategy::{Search, test_primitive};
 use crate::trace::Off;
 
-/// Where does the ray meet the primitive, if it does so in the range? As [`test_primitive`] says.
+/// Where does the ray hit the primitive, if it does so in the range? As [`test_primitive`] says.
 #[inline]
 pub(super) fn hit(
     object: PrimitiveId,

@@ -76,7 +76,7 @@ impl RoundedTriangle {
         })
     }
 
-    /// Where does the ray meet the triangle, if it does so in the range?
+    /// Where does the ray hit the triangle, if it does so in the range?
     ///
     /// t of (v), then the edges that the half-line from p′ crosses, as in Fig. 15.57. A flat ray, and one that
     /// passes an edge closely, is left to the polygon.

@@ -5,7 +5,7 @@ use crate::strategy::fast::slabs::BothPlanes;
 use crate::strategy::turn::Turn;
 use crate::structure::SlabBound;
 
-/// The turn of a node, if the ray meets its bound where a hit still counts.
+/// The turn of a node, if the ray hits its bound where a hit still counts.
 #[inline]
 pub(super) fn turn_of<const N: usize>(
     node: u32,

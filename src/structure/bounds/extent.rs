@@ -8,7 +8,7 @@ use crate::scene::Shape;
 /// The room that a shape is given on either side for rounding, as a share of its own coordinates.
 ///
 /// A computed hit lies off the exact surface by some 10⁻¹⁵ of the numbers that it was computed from, a
-/// hundredfold where the ray meets the surface flatly. With 10⁻¹⁰ no bound cuts a hit off.
+/// hundredfold where the ray hits the surface flatly. With 10⁻¹⁰ no bound cuts a hit off.
 pub(in crate::structure) const ROUNDING: f64 = 1e-10;
 
 /// The smallest and the largest n·p over the points p of the shape.
@@ -197,7 +197,7 @@ mod tests {
             [0.0, 1.0, 0.0],
         ];
         let bent = Polygon::new(corners.map(DVec3::from).to_vec(), None).unwrap();
-        // each vertex is 10⁻⁶ off the plane, and a ray that meets it under 1 in 64 finds it 64·10⁻⁶ away
+        // each vertex is 10⁻⁶ off the plane, and a ray that hits it under 1 in 64 finds it 64·10⁻⁶ away
         let [low, high] = extent(&Shape::Polygon(bent), DVec3::Z);
         assert!((low + 64e-6).abs() <= 1e-11, "{low}");
         assert!((high - 68e-6).abs() <= 1e-11, "{high}");

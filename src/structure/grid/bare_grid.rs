@@ -28,7 +28,7 @@ impl BareGrid {
         }
     }
 
-    /// Where a ray meets a plane across an axis: t = (pᵢ − o)/Δ, and pᵢ = min + (max − min)·i/n.
+    /// Where a ray hits a plane across an axis: t = (pᵢ − o)/Δ, and pᵢ = min + (max − min)·i/n.
     fn t(&self, ray: &Ray, axis: usize, plane: u32) -> f64 {
         let share = f64::from(plane) / f64::from(self.resolution[axis]);
         let [min, max] = self.around.along(axis);

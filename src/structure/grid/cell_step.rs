@@ -9,7 +9,7 @@ pub struct CellStep {
     pub t_in: f64,
     /// Where the ray leaves the cell.
     pub t_out: f64,
-    /// Where the ray meets the next plane across x, y and z; infinite if it never does.
+    /// Where the ray hits the next plane across x, y and z; infinite if it never does.
     pub next: [f64; 3],
     /// Across which of the planes it leaves the cell; two or three at once through an edge or a corner.
     pub across: Across,

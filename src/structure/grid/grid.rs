@@ -203,8 +203,8 @@ fn around(shape: &Shape, room: f64) -> AxisBox {
 /// The room of every object, besides [`box_with_room`]'s share of its own size: a share of the largest coordinate of the
 /// scene and of the camera.
 ///
-/// A ray starts at the camera or in the scene, and the rounding of what it meets grows with the coordinates
-/// of its origin: some 10⁻¹⁵ of them, a hundredfold where it meets a surface flatly.
+/// A ray starts at the camera or in the scene, and the rounding of what it hits grows with the coordinates
+/// of its origin: some 10⁻¹⁵ of them, a hundredfold where it hits a surface flatly.
 fn room(scene: &Scene) -> f64 {
     const SHARE: f64 = 1e-11;
     let reaches = scene.primitives.iter().map(|of| of.shape.reach());

@@ -9,7 +9,7 @@
 //! a cell owns its lower faces: along each axis it is [pᵢ, pᵢ₊₁), and the last one [pₙ₋₁, pₙ]. So a ray that
 //! runs in the face between two cells belongs to the upper one alone; and through an edge or a corner the walk
 //! steps along two or three axes at once, without the cells that the ray only touches there. Nothing is lost
-//! by that: objects are listed with a little room around them, so one that is met on an edge is
+//! by that: objects are listed with a little room around them, so one that is hit on an edge is
 //! on the list of every cell around it.
 //!
 //! **Exactly.** t = (pᵢ − o)/Δ is computed from each plane itself, not added up from cell to cell, and which
@@ -58,7 +58,7 @@ impl<'g> GridWalk<'g> {
         self.cell
     }
 
-    /// Where the ray meets the next plane across an axis, from a cell; `None` if it does not move along the axis.
+    /// Where the ray hits the next plane across an axis, from a cell; `None` if it does not move along the axis.
     fn meeting(&self, axis: usize, cell: [u32; 3]) -> Option<Meeting> {
         let direction = self.ray.direction[axis];
         let at = cell[axis] as usize;

@@ -1,10 +1,10 @@
-//! Which of two planes does a ray meet first? Exactly.
+//! Which of two planes does a ray hit first? Exactly.
 
 use std::cmp::Ordering;
 
 use crate::geometry::sign_of_sum;
 
-/// Where a ray meets a plane across an axis: t = (plane − origin)/direction.
+/// Where a ray hits a plane across an axis: t = (plane − origin)/direction.
 ///
 /// A plain t is the meeting of a ray from 0 along 1 with that plane.
 #[derive(Clone, Copy, Debug)]

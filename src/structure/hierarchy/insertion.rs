@@ -1,6 +1,6 @@
 //! Goldsmith and Salmon's automatic hierarchy: one object after the other is put where it adds the least.
 //!
-//! J. Goldsmith, J. Salmon 1987, "Automatic creation of object hierarchies for ray tracing". A ray meets a
+//! J. Goldsmith, J. Salmon 1987, "Automatic creation of object hierarchies for ray tracing". A ray hits a
 //! volume in proportion to its area, and each volume met costs one test for each of its children. An object
 //! on its way down from the root has, at each node, three choices, and the cheapest is taken:
 //!

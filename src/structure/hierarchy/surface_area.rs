@@ -1,6 +1,6 @@
 //! Built from the top down by the surface-area heuristic, for speed.
 //!
-//! A ray that meets a node meets a child in proportion to the areas of their boxes (J. Goldsmith and
+//! A ray that hits a node hits a child in proportion to the areas of their boxes (J. Goldsmith and
 //! J. Salmon 1987). Cutting a node with area A into halves with areas A₁, A₂ and n₁, n₂ objects costs about
 //!
 //! C_node + C_object·(A₁·n₁ + A₂·n₂)/A,   and not cutting it C_object·n.

@@ -41,7 +41,7 @@ macro_rules! events {
         }
 
         impl Kind {
-            /// All kinds, in the order in which a ray meets them.
+            /// All kinds, in the order in which they happen on a ray.
             pub const ALL: [Self; [$($name),+].len()] = [$(Self::$kind),+];
 
             /// The name in the log.

@@ -43,7 +43,7 @@ impl Fields for Bounded {
 /// What a ray does to a bounding volume.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum BoundVerdict {
-    /// It meets it where it counts: what is inside is looked at.
+    /// It hits it at a t that counts: what is inside is tested.
     Hit,
     /// It passes by.
     #[default]

@@ -1,6 +1,6 @@
 //! The table of events: what can happen to a ray, and what a line of the log says of it.
 //!
-//! One paragraph for each kind, in the order in which a ray meets them; [`declare`](crate::trace::event::declare) says how
+//! One paragraph for each kind, in the order in which they happen on a ray; [`declare`](crate::trace::event::declare) says how
 //! one is written. `Event`, `Kind`, the structs of events, the writer, the reader and the schema follow from it. A new
 //! kind is a paragraph here and its words in `explain`.
 
@@ -197,7 +197,7 @@ events! {
     /// An edge of a polygon counts as a crossing or not. All edges come before their `polygon_test`.
     Edge { object: PrimitiveId, edge: EdgeTest } = "edge", Either;
 
-    /// The point where a ray meets the plane of a polygon is inside the polygon or outside (Fig. 15.57).
+    /// The point where a ray hits the plane of a polygon is inside the polygon or outside (Fig. 15.57).
     PolygonTest { object: PrimitiveId, test: PolygonTest } = "polygon_test", Either;
 
     /// A hit is the nearest so far.
@@ -257,7 +257,7 @@ events! {
         radiance: DVec3,
     }
 
-    /// A photon is stored where it meets a diffuse surface.
+    /// A photon is stored where it hits a diffuse surface.
     Stored(Stored) = "stored", Path {
         /// The object whose surface the path or ray is on.
         object: PrimitiveId,
@@ -317,12 +317,12 @@ events! {
     /// Snell's law is applied.
     Refraction(Refraction) = "refraction", Either;
 
-    /// A photon meets a surface, and a random number decides how its path goes on (Russian roulette).
+    /// A photon hits a surface, and a random number decides how its path goes on (Russian roulette).
     ///
     /// One number ξ in 0..1 decides for all three channels of the colour: below `reflection` the photon is mirrored, below
     /// `reflection + transmission` refracted, below `reflection + transmission + diffuse` of a channel that channel goes on
     /// diffusely, and above it is absorbed. What goes on keeps its power, so that no energy is made or lost: at every
-    /// surface arriving = leaving + absorbed. A path from the eye meets surfaces in the same way, and carries a weight in
+    /// surface arriving = leaving + absorbed. A path from the eye hits surfaces in the same way, and carries a weight in
     /// place of a power.
     Photon(Photon) = "photon", Either {
         /// The object whose surface the path or ray is on.

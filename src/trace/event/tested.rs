@@ -46,7 +46,7 @@ impl Event {
 
     /// Did a test of an object meet it? `None` for all that is no such test.
     ///
-    /// A polygon has two tests: its plane is met or not, and then the point is inside or not.
+    /// A polygon has two tests: its plane is hit or not, and then the point is inside or not.
     #[inline]
     pub fn test_hits(&self) -> Option<bool> {
         match self {
@@ -78,7 +78,7 @@ impl RaySlab {
         }
     }
 
-    /// S and T, as a slab is met by them.
+    /// S and T, of the ray and the slab.
     pub(crate) fn line(&self) -> SlabRay {
         SlabRay {
             s: self.s,

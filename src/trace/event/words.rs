@@ -56,7 +56,7 @@ words! {
         None = "none",
         /// One double root, at which the ray grazes the surface: the discriminant is 0 within its rounding.
         Graze = "graze",
-        /// Two: the ray meets the surface twice.
+        /// Two: the ray hits the surface twice.
         Two = "two",
         /// One, of a linear equation: a = 0.
         Linear = "linear",
@@ -78,7 +78,7 @@ words! {
 words! {
     /// Is a ray parallel to a plane?
     pub(super) enum ToPlane: Meets by default {
-        /// It is not: its line meets the plane at one t.
+        /// It is not: its line hits the plane at one t.
         Meets = "no",
         /// It is, and it runs beside the plane.
         Beside = "beside",
@@ -117,9 +117,9 @@ words! {
         BelowEpsilon = "below_epsilon",
         /// Further than the nearest hit so far, than the light, or than this object's nearer root.
         BeyondNearest = "beyond_nearest",
-        /// The ray meets the back of a surface of which only the front can be seen.
+        /// The ray hits the back of a surface of which only the front can be seen.
         BackFace = "back_face",
-        /// The ray meets the front of a surface of which only the back can be seen.
+        /// The ray hits the front of a surface of which only the back can be seen.
         FrontFace = "front_face",
         /// On the infinite cone, but not between its base and its apex.
         BeyondEnds = "beyond_ends",
@@ -212,7 +212,7 @@ words! {
 words! {
     /// What became of a test?
     pub enum Verdict: Rejected by default {
-        /// The ray meets what was tested, at a t that counts. Of a slab: some t is inside this slab and all before it.
+        /// The ray hits what was tested, at a t that counts. Of a slab: some t is inside this slab and all before it.
         Hit = "hit",
         /// It does not count: `why` says the reason.
         Rejected = "rejected",
@@ -236,9 +236,9 @@ words! {
         BelowEpsilon = "below_epsilon",
         /// Further than the nearest hit so far, or than the light.
         BeyondNearest = "beyond_nearest",
-        /// The ray meets the back of a surface of which only the front can be seen.
+        /// The ray hits the back of a surface of which only the front can be seen.
         BackFace = "back_face",
-        /// The ray meets the front of a surface of which only the back can be seen.
+        /// The ray hits the front of a surface of which only the back can be seen.
         FrontFace = "front_face",
         /// On the infinite cone, but not between its base and its apex.
         BeyondEnds = "beyond_ends",
@@ -252,7 +252,7 @@ words! {
     pub enum NodeVerdict: Rejected by default {
         /// Its children or its objects are tested.
         Entered = "entered",
-        /// The ray does not meet its bound in front of the origin.
+        /// The ray does not hit its bound in front of the origin.
         Rejected = "rejected",
         /// Its bound begins further away than a hit that is known, or than the light: nothing in it is tested.
         Pruned = "pruned",

@@ -197,7 +197,7 @@ fields! { PolygonTest {
     dropped,
     /// The coefficient of the dropped coordinate in (iv).
     coefficient,
-    /// p: the point where the ray meets the plane, in world coordinates.
+    /// p: the point where the ray hits the plane, in world coordinates.
     point,
     /// p': p without the dropped coordinate.
     projected,
@@ -332,11 +332,11 @@ fields! { CellStep {
     t_in,
     /// t at which the ray leaves the cell; absent: never.
     t_out: t_out = by unbounded,
-    /// t of the next plane across x; absent: none is met.
+    /// t of the next plane across x; absent: none is hit.
     next_x: next[0] = by unbounded,
-    /// t of the next plane across y; absent: none is met.
+    /// t of the next plane across y; absent: none is hit.
     next_y: next[1] = by unbounded,
-    /// t of the next plane across z; absent: none is met.
+    /// t of the next plane across z; absent: none is hit.
     next_z: next[2] = by unbounded,
     /// Across which planes the ray leaves the cell; two or three at once through an edge or a corner.
     across,

@@ -28,7 +28,7 @@ pub(super) struct Header {
     pub(super) settings: Settings,
     /// The eye and the window.
     pub(super) camera: CameraFile,
-    /// The colour of a ray that meets nothing.
+    /// The colour of a ray that hits nothing.
     pub(super) background: [f64; 3],
     /// The ambient light.
     pub(super) ambient: [f64; 3],

@@ -21,7 +21,7 @@ pub struct LightOptions {
     pub paths: u64,
     /// How many paths from the eye each pixel has, and of light as many, for hybrid-connected.
     pub samples: u32,
-    /// How many surfaces a path may meet; absent: as many as chance leaves it, up to 10 000.
+    /// How many surfaces a path may hit; absent: Russian roulette ends a path, at the latest after 10 000.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub bounces: Option<u32>,
     /// The radius of the eye's aperture, for forward; absent: a twentieth of the way from the COP to the window's

@@ -84,7 +84,7 @@ pub enum StrategyName {
     /// Every object, as in Fig. 15.56.
     #[default]
     Exhaustive,
-    /// Every object whose bounding volume is met.
+    /// Every object whose bounding volume is hit.
     Bounds,
     /// A hierarchy of bounding volumes, walked depth first.
     Hierarchy,

@@ -22,7 +22,7 @@ pub struct Counts {
     pub light: LightCount,
     /// Purposes of the rays that have started and not ended.
     open: Vec<Purpose>,
-    /// The volume of an object was met, and the object was not met since.
+    /// The volume of an object was hit, and the object was not hit since.
     in_vain: bool,
 }
 
@@ -39,7 +39,7 @@ pub struct RayCount {
 
 /// Tests of one kind. Tests are hits and misses, no more and no less.
 ///
-/// A polygon takes two: `plane_test` hits if its plane is met where it counts, and then `polygon_test` if
+/// A polygon takes two: `plane_test` hits if its plane is hit where it counts, and then `polygon_test` if
 /// the point lies inside.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct TestCount {
@@ -71,15 +71,15 @@ impl TestCount {
 /// What it cost to find out which objects to test.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct SearchCount {
-    /// Bounding volumes tested, and how many of them were met where it counts.
+    /// Bounding volumes tested, and how many of them were hit where it counts.
     pub bounds: TestCount,
-    /// Volumes of objects that were met, and then the object was not.
+    /// Volumes of objects that were hit, and then the object was not.
     pub in_vain: u64,
     /// Slabs tested: fewer than bounds times directions, since a bound is left as soon as near and far cross.
     pub slabs: u64,
     /// Nodes whose children or objects were looked at.
     pub entered: u64,
-    /// Nodes that the ray does not meet.
+    /// Nodes that the ray does not hit.
     pub rejected: u64,
     /// Nodes left out because a nearer hit was known.
     pub pruned: u64,
@@ -176,7 +176,7 @@ impl LightCount {
 
     fn carried(&mut self, event: &Event) {
         match event {
-            // what is met in a pixel is met by paths from the eye
+            // what is hit in a pixel is hit by paths from the eye
             Event::Pixel(_) => self.path = None,
             Event::Path(start) => {
                 self.paths += 1;

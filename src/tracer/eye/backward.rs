@@ -1,4 +1,4 @@
-//! Backward ray tracing: from the eye into the scene, and on from what is met.
+//! Backward ray tracing: from the eye into the scene, and on from what is hit.
 //!
 //! The slides' simple ray tracer (Fig. 15.56) sets the pixel to the colour at the closest intersection.
 //! From there T. Whitted (1980) sends rays on: one in the mirror direction, one through the surface. What light
@@ -27,7 +27,7 @@ impl<S: Strategy> Tracer<'_, S> {
         self.trace(eye_ray_start(ray, window_t), recorder)
     }
 
-    /// The colour that a ray sees: the background, or the shade of what it meets. `Break` if the recorder has enough.
+    /// The colour that a ray sees: the background, or the shade of what it hits. `Break` if the recorder has enough.
     fn trace<R: Recorder>(&self, start: RayStart, recorder: &mut R) -> ControlFlow<(), DVec3> {
         recorder.next_ray()?;
         recorder.note(|| Event::Ray(start));

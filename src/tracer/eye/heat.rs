@@ -177,7 +177,7 @@ mod tests {
             [heat.tests, heat.nodes, heat.cells]
         };
         assert_eq!(counts(StrategyName::Exhaustive), [4, 0, 0]);
-        // four volumes, of which the first alone is met before its hit
+        // four volumes, of which the first alone is hit before its hit
         assert_eq!(counts(StrategyName::Bounds), [1, 4, 0]);
         // three bounds and two nodes that are entered, with two objects in the leaf
         assert_eq!(counts(StrategyName::Hierarchy), [2, 5, 0]);

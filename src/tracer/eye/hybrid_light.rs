@@ -1,5 +1,5 @@
 //! Hybrid ray tracing with rays to the light: backward, and from each point a ray to each light, as T. Whitted
-//! (1980) does. What it meets on the way throws a shadow.
+//! (1980) does. What it hits on the way throws a shadow.
 
 use std::ops::ControlFlow;
 

@@ -1,4 +1,4 @@
-//! V: does nothing stand between two points? Any object that is met is enough to say no; the nearest is not asked for.
+//! V: does nothing stand between two points? Any object that is hit is enough to say no; the nearest is not asked for.
 
 use std::ops::ControlFlow;
 

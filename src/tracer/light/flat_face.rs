@@ -113,7 +113,7 @@ mod tests {
         ))
     }
 
-    /// The patch where a ray meets a primitive.
+    /// The patch where a ray hits a primitive.
     fn patch(primitive: u32, origin: [f64; 3], direction: [f64; 3], t: f64) -> Patch {
         let scene = scene();
         let ray = Ray::new(origin.into(), direction.into());

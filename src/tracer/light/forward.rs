@@ -37,7 +37,7 @@ impl<'a> Eye<'a> {
 
     /// The photon on this leg, if it passes the window into the eye.
     fn arrival(&self, leg: &Leg) -> Option<Arrival> {
-        // where it meets the plane of the disc: before anything else
+        // where it hits the plane of the disc: before anything else
         let direction = leg.ray.direction;
         let to_plane = self.normal.dot(self.camera.cop - leg.ray.origin);
         let t = to_plane / self.normal.dot(direction);
@@ -85,7 +85,7 @@ mod tests {
     use crate::scene::small_scene::one_pixel;
     use crate::trace::Off;
 
-    /// A photon of 2 watts from a point along a direction, that meets something at `end`.
+    /// A photon of 2 watts from a point along a direction, that hits something at `end`.
     fn leg(origin: [f64; 3], direction: [f64; 3], end: f64) -> Leg {
         Leg {
             ray: Ray::new(origin.into(), direction.into()),

@@ -1,5 +1,5 @@
-//! Hybrid ray tracing with storage on surfaces: photons from the lamps are stored where they meet diffuse surfaces,
-//! and what a ray from the eye meets shows the light that is stored around it.
+//! Hybrid ray tracing with storage on surfaces: photons from the lamps are stored where they hit diffuse surfaces,
+//! and what a ray from the eye hits shows the light that is stored around it.
 //!
 //! H. W. Jensen (1996), photon by photon: the irradiance at a point follows from its k nearest photons,
 //!

@@ -4,7 +4,7 @@ use crate::scene::{Emission, Scene};
 use crate::trace::Settings;
 use crate::tracer::light::chance::Chance;
 
-/// How many surfaces a path may meet at most. A photon between surfaces that absorb nothing would go on for ever;
+/// How many surfaces a path may hit at most. A photon between surfaces that absorb nothing would go on for ever;
 /// where they absorb a thousandth, one in 20 000 is still on its way here.
 pub const MOST_SURFACES: u32 = 10_000;
 
@@ -18,7 +18,7 @@ pub(in crate::tracer) struct Lamps {
     pub(super) up_to: Vec<f64>,
     /// What a photon carries: the power of all lights over the number of paths.
     pub(in crate::tracer) photon: f64,
-    /// How many surfaces a path may meet.
+    /// How many surfaces a path may hit.
     pub(in crate::tracer) most: u32,
 }
 

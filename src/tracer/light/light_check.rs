@@ -479,7 +479,7 @@ mod tests {
     fn paths_beyond_32_bits_or_8_gigabytes_are_too_many() {
         let beside = sphere([0.0, 500.0, 0.0], 1.0);
         let of = |paths| checked(WHITE, LAMP, &beside, |of| of.light.paths = paths);
-        // hardly a photon meets the ball: the numbers' 32 bits are the limit
+        // hardly a photon hits the ball: the numbers' 32 bits are the limit
         assert_eq!(of(u64::from(u32::MAX)), Ok(vec![]));
         match of(1 << 32) {
             Err(LightError::TooMany {

@@ -13,7 +13,7 @@ pub enum LightSetting {
     Samples,
     /// The radius of the eye.
     Aperture,
-    /// How many surfaces a path meets at most.
+    /// How many surfaces a path hits at most.
     Bounces,
     /// How many photons are gathered.
     Nearest,
@@ -82,7 +82,7 @@ pub enum LightError {
     },
     /// Nothing absorbs the light, and none of it gets out: it would become more and more.
     Endless {
-        /// How many surfaces a path has met when it was given up.
+        /// How many surfaces a path has hit when it was given up.
         surfaces: u32,
     },
     /// Maps with more cells than there is memory for.

@@ -8,7 +8,7 @@ use crate::trace::{PhotonVerdict, Recorder};
 use crate::tracer::light::walk::Watcher;
 use crate::tracer::surface::Surface;
 
-/// A vertex of a path: the light, the eye, or a surface that was met.
+/// A vertex of a path: the light, the eye, or a surface that was hit.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::tracer) struct Vertex {
     pub(in crate::tracer) point: DVec3,

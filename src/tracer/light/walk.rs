@@ -12,11 +12,11 @@ use crate::tracer::light::chance::Chance;
 use crate::tracer::surface::Surface;
 use crate::tracer::tracer::Tracer;
 
-/// A stretch of a path, from where it starts to where it meets something.
+/// A stretch of a path, from where it starts to where it hits something.
 #[derive(Clone, Copy)]
 pub(in crate::tracer) struct Leg {
     pub(in crate::tracer) ray: Ray,
-    /// Where it ends; infinite if it meets nothing.
+    /// Where it ends; infinite if it hits nothing.
     pub(in crate::tracer) end: f64,
     /// What is carried along it.
     pub(in crate::tracer) power: DVec3,
@@ -31,7 +31,7 @@ pub(in crate::tracer) trait Watcher {
         let _ = (leg, recorder);
     }
 
-    /// A surface is met, the so-manieth of the path from 1, by what is carried there.
+    /// The path hits its `number`-th surface, counted from 1, carrying `power`.
     fn met<R: Recorder>(
         &mut self,
         surface: &Surface<'_>,
@@ -54,7 +54,7 @@ pub(in crate::tracer) struct NoWatcher;
 impl Watcher for NoWatcher {}
 
 impl<S: Strategy> Tracer<'_, S> {
-    /// Follows a path until it leaves the scene, is absorbed, or has met `most` surfaces. `Break` if the recorder has
+    /// Follows a path until it leaves the scene, is absorbed, or has hit `most` surfaces. `Break` if the recorder has
     /// enough before.
     pub(in crate::tracer) fn walk<R: Recorder>(
         &self,

@@ -21,7 +21,7 @@ use crate::trace::Off;
 /// What only speed wants beside the grid.
 #[derive(Clone, Debug)]
 pub(in crate::strategy) struct Aids {
-    /// The planes in the order in which rays meet them.
+    /// The planes in the order in which rays hit them.
     ways: Ways,
     /// The objects in the order of the lists.
     objects: LeafOrder,
@@ -99,7 +99,7 @@ mod tests {
 
     #[test]
     fn a_nearer_object_in_a_cell_before_the_hit_is_found() {
-        // a wall slanted through four cells in a row, hit in the third; a box in the second that the ray meets sooner (Fig. 15.62)
+        // a wall slanted through four cells in a row, hit in the third; a box in the second that the ray hits sooner (Fig. 15.62)
         let wall = [
             [0.5, 0.1, 0.1],
             [3.5, 1.9, 0.1],

@@ -1,4 +1,4 @@
-//! The planes across an axis of a grid in the order in which rays meet them that all go the same way along it.
+//! The planes across an axis of a grid in the order in which rays hit them that all go the same way along it.
 //!
 //! Upwards and downwards a walk is the same, but for the order of the planes and the sign of the step. So each axis
 //! has both orders at hand, a ray takes one of them, and from there on nothing asks for its direction.
@@ -63,7 +63,7 @@ pub(super) struct OneWay {
     /// The last cell.
     pub(super) last: u32,
     /// −∞ (downwards ∞) in the place of `from`, before which no walk begins; each plane up to `to`; and one that no
-    /// ray meets, for a walk that looks one plane too far.
+    /// ray hits, for a walk that looks one plane too far.
     planes: Box<[f64]>,
 }
 
@@ -111,7 +111,7 @@ impl OneWay {
         }
     }
 
-    /// The planes that lie ahead in a cell, led by the one behind it: so the second one is met next.
+    /// The planes that lie ahead in a cell, led by the one behind it: so the second one is hit next.
     #[inline]
     pub(super) fn ahead(&self, cell: usize) -> &[f64] {
         &self.planes[cell..]
