@@ -2,6 +2,7 @@
 
 use std::collections::HashSet;
 use std::path::Path;
+use std::sync::OnceLock;
 
 use raystep::figure::{draw, text_width};
 use raystep::lesson::lesson_schema;
@@ -17,17 +18,20 @@ fn library() -> Library {
     raystep::open_lessons(&Path::new(env!("CARGO_MANIFEST_DIR")).join("lessons")).unwrap()
 }
 
-/// Each figure with its trace.
-fn traced() -> Vec<(FigureName, raystep::FigureSpec, Vec<Traced>)> {
-    let library = library();
-    let figures = library.figures();
-    let trace = |name: FigureName| {
-        let (lesson, spec) = library.find(&name).unwrap();
-        let traced = lesson.trace(&name.figure, spec);
-        let traced = traced.unwrap_or_else(|error| panic!("{name}: {error}"));
-        (name, spec.clone(), traced)
-    };
-    figures.into_iter().map(trace).collect()
+/// Each figure with its trace, made once for all tests.
+fn traced() -> &'static [(FigureName, FigureSpec, Vec<Traced>)] {
+    static TRACED: OnceLock<Vec<(FigureName, FigureSpec, Vec<Traced>)>> = OnceLock::new();
+    TRACED.get_or_init(|| {
+        let library = library();
+        let figures = library.figures();
+        let trace = |name: FigureName| {
+            let (lesson, spec) = library.find(&name).unwrap();
+            let traced = lesson.trace(&name.figure, spec);
+            let traced = traced.unwrap_or_else(|error| panic!("{name}: {error}"));
+            (name, spec.clone(), traced)
+        };
+        figures.into_iter().map(trace).collect()
+    })
 }
 
 /// Both widths, and what is written differently.
@@ -58,7 +62,7 @@ fn every_figure_is_well_formed_and_legible() {
     let mut checked = 0;
     for (name, spec, traced) in traced() {
         for (width, rendition) in ways() {
-            let drawn = draw(&spec, &traced, ID, width, rendition);
+            let drawn = draw(spec, traced, ID, width, rendition);
             let drawn = drawn.unwrap_or_else(|error| panic!("{name}: {error}"));
             check_svg(&format!("{name} {width:?}"), &drawn.svg);
             checked += 1;
@@ -71,15 +75,15 @@ fn every_figure_is_well_formed_and_legible() {
 fn a_saved_log_gives_the_same_bytes() {
     for (name, spec, traced) in traced() {
         let drawn = |traced: &[Traced]| {
-            let drawn = draw(&spec, traced, ID, Width::Book, Rendition::default());
+            let drawn = draw(spec, traced, ID, Width::Book, Rendition::default());
             drawn.unwrap_or_else(|error| panic!("{name}: {error}"))
         };
         let mut log = Vec::new();
-        for traced in &traced {
+        for traced in traced {
             traced.write(&mut log).unwrap();
         }
         let read = Traced::read("log", &log[..]).unwrap_or_else(|error| panic!("{name}: {error}"));
-        assert_eq!(drawn(&read), drawn(&traced), "{name}");
+        assert_eq!(drawn(&read), drawn(traced), "{name}");
     }
 }
 
@@ -94,7 +98,7 @@ fn a_figure_up_to_its_last_step_is_the_whole_figure_and_each_step_adds_something
                 up_to,
                 ..Rendition::default()
             };
-            draw(&spec, &traced, ID, Width::Book, rendition).unwrap()
+            draw(spec, traced, ID, Width::Book, rendition).unwrap()
         };
         let whole = drawn(None);
         assert_eq!(drawn(whole.steps.last().copied()).svg, whole.svg, "{name}");

@@ -56,19 +56,31 @@ fn pixel_by_pixel<R: Recorder>(
     recorder: &mut R,
 ) -> Vec<[u64; 3]> {
     let strategy = strategy(scene, settings);
-    let tracer = tracer(scene, &strategy, settings);
-    let [width, height] = scene.camera.pixels;
+    pixels_of(
+        &tracer(scene, &strategy, settings),
+        settings.through,
+        recorder,
+    )
+}
+
+fn pixels_of<R: Recorder>(
+    tracer: &Tracer<'_, Chosen<'_>>,
+    through: Through,
+    recorder: &mut R,
+) -> Vec<[u64; 3]> {
+    let [width, height] = tracer.scene.camera.pixels;
     (0..height)
         .flat_map(|y| (0..width).map(move |x| [x, y]))
-        .map(|pixel| bits(trace_pixel(&tracer, pixel, settings.through, recorder).unwrap()))
+        .map(|pixel| bits(trace_pixel(tracer, pixel, through, recorder).unwrap()))
         .collect()
 }
 
 /// The colours of a picture.
-fn picture<R: Recorder + Default + Send>(scene: &Scene, settings: &Settings) -> Vec<[u64; 3]> {
-    let (picture, _) = on(scene, settings, |tracer| {
-        render::<_, R>(tracer, settings.through, |_| {}).unwrap()
-    });
+fn picture<R: Recorder + Default + Send>(
+    tracer: &Tracer<'_, Chosen<'_>>,
+    through: Through,
+) -> Vec<[u64; 3]> {
+    let (picture, _) = render::<_, R>(tracer, through, |_| {}).unwrap();
     picture.colours.into_iter().map(bits).collect()
 }
 
@@ -103,16 +115,19 @@ fn check_unchanged(scene: &Scene, settings: &Settings) {
     let check = |recorder: &str, expected: &[_], found: &[_]| {
         check_same(&format!("{name}, {recorder}"), expected, found);
     };
-    let expected = picture::<Off>(scene, settings);
-    let colours = pixel_by_pixel(scene, settings, &mut Off);
-    check("pixel by pixel", &expected, &colours);
-    let colours = picture::<Counts>(scene, settings);
-    check("Counts", &expected, &colours);
-    let colours = picture::<Recording<Forgets>>(scene, settings);
-    check("Recording", &expected, &colours);
-    let mut pair = ((Counts::default(), Off), Recording::new(Forgets));
-    let colours = pixel_by_pixel(scene, settings, &mut pair);
-    check("a pair", &expected, &colours);
+    let through = settings.through;
+    on(scene, settings, |tracer| {
+        let expected = picture::<Off>(tracer, through);
+        let colours = pixels_of(tracer, through, &mut Off);
+        check("pixel by pixel", &expected, &colours);
+        let colours = picture::<Counts>(tracer, through);
+        check("Counts", &expected, &colours);
+        let colours = picture::<Recording<Forgets>>(tracer, through);
+        check("Recording", &expected, &colours);
+        let mut pair = ((Counts::default(), Off), Recording::new(Forgets));
+        let colours = pixels_of(tracer, through, &mut pair);
+        check("a pair", &expected, &colours);
+    });
 }
 
 #[test]

@@ -1,6 +1,7 @@
 //! The schemas: what they allow is what the program writes, and what the program refuses they refuse.
 
 use std::collections::BTreeSet;
+use std::sync::OnceLock;
 
 use jsonschema::Validator;
 use raystep::trace::{Kind, scene_schema, trace_schema};
@@ -10,7 +11,7 @@ use crate::bad_input::light::LAMP;
 use crate::cli::run::Folder;
 use crate::recording::NFF;
 use crate::trace_log::strategies::{built_cases, log_with_building};
-use crate::trace_log::{EXAMPLE, MIXED, all_of, cases, loaded_nff, log};
+use crate::trace_log::{EXAMPLE, MIXED, loaded_nff, traced};
 
 #[track_caller]
 fn validator(schema: &Value) -> Validator {
@@ -169,12 +170,16 @@ fn scenes_that_do_not_load_are_refused() {
     }
 }
 
-/// Some lines of each kind.
-fn lines() -> Vec<Value> {
+/// Some lines of each kind, made once for all tests.
+fn lines() -> &'static [Value] {
+    static LINES: OnceLock<Vec<Value>> = OnceLock::new();
+    LINES.get_or_init(made_lines)
+}
+
+fn made_lines() -> Vec<Value> {
     let mut lines = Vec::new();
-    for (scene, settings, region) in cases() {
-        let text = String::from_utf8(log(&scene, &settings, &all_of(region))).unwrap();
-        lines.extend(text.lines().map(parsed));
+    for case in traced() {
+        lines.extend(case.lines().map(parsed));
     }
     for (scene, settings, pixel) in built_cases() {
         let text = String::from_utf8(log_with_building(&scene, &settings, pixel)).unwrap();
@@ -207,7 +212,7 @@ fn kind_of(line: &Value) -> &str {
 fn every_line_of_a_log_is_allowed_and_all_kinds_occur() {
     let schema = validator(&trace_schema());
     let lines = lines();
-    for line in &lines {
+    for line in lines {
         check_allowed(&schema, kind_of(line), line);
     }
     let kinds: BTreeSet<&str> = lines.iter().map(kind_of).collect();

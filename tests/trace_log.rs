@@ -9,6 +9,7 @@ mod verdicts;
 
 use std::io::{self, Write};
 use std::path::Path;
+use std::sync::OnceLock;
 
 use raystep::scene::Loaded;
 use raystep::strategy::Strategy;
@@ -167,6 +168,38 @@ pub(crate) fn cases() -> Vec<(Scene, Settings, Region)> {
     cases
 }
 
+/// A case with its whole log, and the records of its pixels as they are traced one by one.
+pub(crate) struct Traced {
+    pub(crate) scene: Scene,
+    pub(crate) settings: Settings,
+    pub(crate) region: Region,
+    pub(crate) log: Vec<u8>,
+    pub(crate) pixels: Vec<([u32; 2], Vec<Record>)>,
+}
+
+impl Traced {
+    pub(crate) fn lines(&self) -> impl Iterator<Item = &str> {
+        std::str::from_utf8(&self.log).unwrap().lines()
+    }
+}
+
+/// All [`cases`], traced once for all tests.
+pub(crate) fn traced() -> &'static [Traced] {
+    static TRACED: OnceLock<Vec<Traced>> = OnceLock::new();
+    TRACED.get_or_init(|| {
+        let trace = |(scene, settings, region): (Scene, Settings, Region)| Traced {
+            log: log(&scene, &settings, &all_of(region)),
+            pixels: pixels_of(region)
+                .map(|pixel| (pixel, records(&scene, &settings, pixel)))
+                .collect(),
+            scene,
+            settings,
+            region,
+        };
+        cases().into_iter().map(trace).collect()
+    })
+}
+
 /// `Debug` prints a number's shortest digits and the sign of a zero: equal texts are equal bits.
 #[track_caller]
 fn check_same(what: &str, written: &impl std::fmt::Debug, read: &impl std::fmt::Debug) {
@@ -179,18 +212,16 @@ fn check_same(what: &str, written: &impl std::fmt::Debug, read: &impl std::fmt::
 
 #[test]
 fn a_log_reads_back_as_the_same_scene_and_the_same_records() {
-    for (scene, settings, region) in cases() {
-        let bytes = log(&scene, &settings, &all_of(region));
-        let mut reader = LogReader::open("a.jsonl", &*bytes).unwrap();
-        check_same(&scene.name, &scene, reader.scene());
-        check_same(&scene.name, &settings, reader.settings());
-        for pixel in pixels_of(region) {
-            for record in records(&scene, &settings, pixel) {
-                let read = reader.next_record().unwrap();
-                check_same(&scene.name, &Some(record), &read);
-            }
+    for case in traced() {
+        let mut reader = LogReader::open("a.jsonl", &*case.log).unwrap();
+        let name = &case.scene.name;
+        check_same(name, &case.scene, reader.scene());
+        check_same(name, &case.settings, reader.settings());
+        for record in case.pixels.iter().flat_map(|(_, records)| records) {
+            let read = reader.next_record().unwrap();
+            check_same(name, &Some(record), &read);
         }
-        assert_eq!(reader.next_record().unwrap(), None, "{}", scene.name);
+        assert_eq!(reader.next_record().unwrap(), None, "{name}");
     }
 }
 
@@ -219,21 +250,22 @@ fn an_eye_at_minus_zero_keeps_its_sign_and_no_line_has_an_unbounded_t() {
 
 #[test]
 fn the_worked_solution_from_a_log_is_the_one_from_memory() {
-    for (scene, settings, region) in cases() {
-        let bytes = log(&scene, &settings, &all_of(region));
-        let reader = LogReader::open("a.jsonl", &*bytes).unwrap();
+    for case in traced() {
+        let Traced {
+            scene, settings, ..
+        } = case;
+        let reader = LogReader::open("a.jsonl", &*case.log).unwrap();
         let (read_scene, read_settings) = (reader.scene().clone(), reader.settings().clone());
         let all: Vec<Record> = reader.map(Result::unwrap).collect();
         let mut by_pixel = all.chunk_by(|a, b| a.pixel == b.pixel);
-        for pixel in pixels_of(region) {
-            let traced = records(&scene, &settings, pixel);
+        for (pixel, traced) in &case.pixels {
             let read = by_pixel.next().unwrap();
             for all in [false, true] {
                 let options = WorkedOptions {
                     all,
                     ..WorkedOptions::default()
                 };
-                let memory = worked_text(&scene, &settings, &traced, &options);
+                let memory = worked_text(scene, settings, traced, &options);
                 let file = worked_text(&read_scene, &read_settings, read, &options);
                 assert!(!memory.is_empty());
                 assert!(memory == file, "{} {pixel:?}", scene.name);
@@ -243,22 +275,29 @@ fn the_worked_solution_from_a_log_is_the_one_from_memory() {
 }
 
 #[test]
-fn two_runs_on_one_two_and_five_threads_write_the_same_bytes() {
-    for (scene, settings, region) in cases() {
-        let first = log(&scene, &settings, &all_of(region));
+fn runs_on_one_two_and_five_threads_write_the_same_bytes() {
+    for case in traced() {
         for threads in [1, 2, 5] {
             let pool = rayon::ThreadPoolBuilder::new().num_threads(threads);
             let pool = pool.build().unwrap();
-            let again = pool.install(|| log(&scene, &settings, &all_of(region)));
-            assert!(first == again, "{} on {threads} threads", scene.name);
+            let all = all_of(case.region);
+            let again = pool.install(|| log(&case.scene, &case.settings, &all));
+            let name = &case.scene.name;
+            assert!(case.log == again, "{name} on {threads} threads");
         }
     }
 }
 
 #[test]
 fn a_filter_keeps_the_lines_that_a_filter_of_the_whole_log_keeps() {
-    for (scene, settings, region) in cases() {
-        let text = String::from_utf8(log(&scene, &settings, &all_of(region))).unwrap();
+    for case in traced() {
+        let Traced {
+            scene,
+            settings,
+            region,
+            ..
+        } = case;
+        let lines: Vec<Placed> = case.lines().map(Placed::of).collect();
         let inner = Region {
             from: [0, 1].map(|i| (region.from[i] + 1).min(region.to[i])),
             to: region.to,
@@ -269,35 +308,50 @@ fn a_filter_keeps_the_lines_that_a_filter_of_the_whole_log_keeps() {
             &[Kind::Shade, Kind::PixelColour, Kind::Edge],
             &Kind::ALL,
         ];
-        for (kinds, region) in sets.into_iter().zip([region, region, inner, inner]) {
+        for (kinds, region) in sets.into_iter().zip([*region, *region, inner, inner]) {
             let options = LogOptions {
                 region,
                 kinds: Kinds::of(kinds),
                 budget: u64::MAX,
                 paths: LoggedPaths::None,
             };
-            let kept = String::from_utf8(log(&scene, &settings, &options)).unwrap();
-            let expected: String = text
-                .lines()
-                .filter(|line| is_kept(line, kinds, region))
-                .flat_map(|line| [line, "\n"])
+            let kept = String::from_utf8(log(scene, settings, &options)).unwrap();
+            let expected: String = lines
+                .iter()
+                .filter(|line| line.is_kept(kinds, region))
+                .flat_map(|line| [line.text, "\n"])
                 .collect();
             assert!(kept == expected, "{} {kinds:?} {region}", scene.name);
         }
     }
 }
 
-/// Is the line the head's, or an event of these kinds in the region?
-fn is_kept(line: &str, kinds: &[Kind], region: Region) -> bool {
-    let line: Value = serde_json::from_str(line).unwrap();
-    let kind = line["kind"].as_str().unwrap();
-    if kind == "trace" || kind == "object" {
-        return true;
+/// A line of a log, and what it says of itself.
+struct Placed<'a> {
+    text: &'a str,
+    kind: String,
+    /// Absent: the line is the head's.
+    pixel: Option<[u32; 2]>,
+}
+
+impl<'a> Placed<'a> {
+    fn of(text: &'a str) -> Self {
+        let line: Value = serde_json::from_str(text).unwrap();
+        let kind = line["kind"].as_str().unwrap().to_owned();
+        let pixel = (kind != "trace" && kind != "object")
+            .then(|| [0, 1].map(|i| line["pixel"][i].as_u64().unwrap() as u32));
+        Self { text, kind, pixel }
     }
-    let [x, y] = [0, 1].map(|i| line["pixel"][i].as_u64().unwrap() as u32);
-    let ([left, top], [right, bottom]) = (region.from, region.to);
-    let inside = left <= x && x <= right && top <= y && y <= bottom;
-    inside && kinds.iter().any(|known| known.name() == kind)
+
+    /// Is it the head's, or an event of these kinds in the region?
+    fn is_kept(&self, kinds: &[Kind], region: Region) -> bool {
+        let Some([x, y]) = self.pixel else {
+            return true;
+        };
+        let ([left, top], [right, bottom]) = (region.from, region.to);
+        let inside = left <= x && x <= right && top <= y && y <= bottom;
+        inside && kinds.iter().any(|known| known.name() == self.kind)
+    }
 }
 
 /// Takes a number of writes, remembers the longest, and can fail.

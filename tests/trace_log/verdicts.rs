@@ -7,7 +7,7 @@ use raystep::trace::trace_schema;
 use raystep::{Settings, StrategyName, StructureOptions};
 use serde_json::Value;
 
-use super::{all_of, built, cases, log, strategies};
+use super::{all_of, built, log, traced};
 
 /// The eye ray runs from 0 along (0.6, 0, −0.8): at t it is at (0.6t, 0, −0.8t).
 pub(super) const SCENE: &str = r#"{
@@ -132,9 +132,8 @@ fn bounds_and_slabs_use_the_same_words() {
 #[test]
 fn every_test_of_every_strategy_is_a_hit_or_rejected_and_the_hit_has_its_t() {
     let mut kinds = BTreeSet::new();
-    for (scene, settings, region) in cases().into_iter().chain(strategies::cases()) {
-        let log = log(&scene, &settings, &all_of(region));
-        for line in std::str::from_utf8(&log).unwrap().lines() {
+    for case in traced() {
+        for line in case.lines() {
             let line: Value = serde_json::from_str(line).unwrap();
             let kind = line["kind"].as_str().unwrap().to_owned();
             if !kind.ends_with("_test") {
