@@ -156,3 +156,80 @@ pub fn record_log(
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::small_scene::{object, one_pixel, wall};
+    use crate::structure::StructureOptions;
+    use crate::trace::{Kinds, Purpose, StrategyName, Transport};
+    use crate::tracer::log::LoggedPaths;
+
+    #[test]
+    fn what_is_done_by_name_counts_and_records_what_the_generic_functions_do() {
+        // a white wall 5 ahead, lit from between; the ambient light is left out where light is followed
+        let scene = one_pixel(&format!(
+            r#""ambient":[1,1,1],"materials":{{"m":{{"colour":[1,1,1],"diffuse":0.5}}}},
+            "lights":[{{"position":[0,0,-3],"power":12}}],"objects":[{}]"#,
+            object("wall", "m", &wall(-5.0))
+        ));
+        let options = StructureOptions::default();
+        let strategy = Chosen::new(&scene, StrategyName::Grid, &options).unwrap();
+        let mut settings = Settings {
+            transport: Transport::HybridStored,
+            ..Settings::default()
+        };
+        settings.light.paths = 100;
+        settings.light.nearest = 7;
+        assert_eq!(
+            check_light_of(&scene, &strategy, &settings).unwrap().len(),
+            1
+        );
+
+        let mut counts = Counts::default();
+        let light = follow_light(
+            &scene,
+            &strategy,
+            &settings,
+            None,
+            Some(&mut counts),
+            &|_| {},
+        );
+        let light = light.unwrap();
+        assert!(light.is_some() && 100 <= counts.of(Purpose::Light).traced);
+        let tracer = Tracer::new(&scene, &strategy, settings.transport).with_light(light.as_ref());
+        let whole = Region::whole([1, 1]);
+        // each path leaves one photon on the wall, and seven are gathered
+        let behind = paths_behind_region(&tracer, whole, Through::Centres).unwrap();
+        assert_eq!(behind.len(), 7);
+
+        // the grid's lists, the seven paths, then the pixel, as far as the budget goes
+        let record = |building, budget| {
+            let records = record_pixel(&tracer, [0, 0], Through::Centres, building, budget);
+            records.map(|records| records.len())
+        };
+        let pixel = record(false, 10_000).unwrap();
+        assert!(7 * 3 < pixel && pixel < record(true, 10_000).unwrap());
+
+        let log = LogOptions {
+            region: whole,
+            kinds: Kinds::ALL,
+            budget: 10_000,
+            paths: LoggedPaths::All(100),
+        };
+        let mut out = Vec::new();
+        let mut heard = Counts::default();
+        record_log(
+            &tracer,
+            &settings,
+            &log,
+            &mut out,
+            Some(&mut heard),
+            &|_| {},
+        )
+        .unwrap();
+        assert_eq!(heard.of(Purpose::Light), counts.of(Purpose::Light));
+        assert_eq!(heard.of(Purpose::Eye).traced, 1);
+        assert!(100 * 3 < String::from_utf8(out).unwrap().lines().count());
+    }
+}
