@@ -175,7 +175,7 @@ fn a_book_with_all_four_directives_is_built() {
     let one = book.page("one.html");
     assert!(one.contains("The discriminant is 4, in 1 test."), "{one}");
     assert!(
-        one.contains("b² - 4ac = 100 - 96 = 4 &gt; 0: two real roots"),
+        one.contains("b² − 4ac = 100 − 96 = 4 &gt; 0: two real roots"),
         "{one}"
     );
     assert!(one.contains("<figcaption>Rays &amp; &lt;balls&gt; <code>raystep figure 01-ball/hit --lessons course</code>"));

@@ -318,5 +318,5 @@ fn a_thousand_spheres_in_one_point_take_no_time_and_are_the_first_of_them() {
     assert!(started.elapsed().as_secs() < 60, "{:?}", started.elapsed());
     let text = folder.run("pixel scene.json 80,60 --strategy heap").well();
     let text = String::from_utf8(text).unwrap();
-    assert!(text.contains("→ The ray meets 0 at t = "), "{text}");
+    assert!(text.contains("→ point: the ray hits 0 at t = "), "{text}");
 }
