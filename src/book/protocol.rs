@@ -148,7 +148,7 @@ mod tests {
             (
                 r#""root":"/b","#,
                 "",
-                "missing field `root` at line 1 column 58",
+                "missing field `root` at line 1 column 57",
             ),
         ] {
             assert_eq!(

@@ -121,25 +121,26 @@ fn in_world(figure: &Figure, sheet: &mut Sheet, frame: Frame, laid: &Laid) {
     let room = frame.wider(-sheet.letters);
     let stage = figure.stage(room, points.chain([laid.ray.origin, laid.ray.at(far)]));
     world_axes(sheet, &stage);
-    sheet.cut_at(frame);
-    scenery::objects(figure, sheet, &stage, |_| Look::OBJECT);
-    sheet.at_step(laid.starts);
-    let (from, to) = (stage.place(laid.ray.origin), stage.place(laid.ray.at(far)));
-    sheet.arrow(Look::RAY, from, to);
-    sheet.dot(Look::RAY, from);
-    sheet.label(frame, from, from - to, "(x₀, y₀, z₀)");
-    for (hit, step) in &laid.sorted {
-        sheet.at_step(*step);
-        // transformed back
-        let point = laid.frame.back(DVec3::new(0.0, 0.0, hit.z));
-        mark(sheet, hit.place, stage.place(point));
-        if hit.place == 0 {
-            let across = (to - from).perp();
-            sheet.label(frame, stage.place(point), across, coordinates(point));
-        }
-    }
-    sheet.at_step(None);
-    sheet.cut_at(None);
+    sheet.within(frame, |sheet| {
+        scenery::objects(figure, sheet, &stage, |_| Look::OBJECT);
+        sheet.step(laid.starts, |sheet| {
+            let (from, to) = (stage.place(laid.ray.origin), stage.place(laid.ray.at(far)));
+            sheet.arrow(Look::RAY, from, to);
+            sheet.dot(Look::RAY, from);
+            sheet.label(frame, from, from - to, "(x₀, y₀, z₀)");
+            for (hit, step) in &laid.sorted {
+                sheet.step(*step, |sheet| {
+                    // transformed back
+                    let point = laid.frame.back(DVec3::new(0.0, 0.0, hit.z));
+                    mark(sheet, hit.place, stage.place(point));
+                    if hit.place == 0 {
+                        let across = (to - from).perp();
+                        sheet.label(frame, stage.place(point), across, coordinates(point));
+                    }
+                });
+            }
+        });
+    });
     if figure.shows(Layer::Names) {
         scenery::names(figure, sheet, &stage);
     }
@@ -248,24 +249,26 @@ fn in_frame(figure: &Figure, sheet: &mut Sheet, frame: Frame, laid: &Laid) {
     let stage = Stage::fitted_flat(projection, room, rims.chain(ends));
 
     for (_, outline, step) in &outlines {
-        sheet.at_step(*step);
-        outline::draw(sheet, &stage, outline, Look::OBJECT);
+        sheet.step(*step, |sheet| {
+            outline::draw(sheet, &stage, outline, Look::OBJECT);
+        });
     }
-    sheet.at_step(laid.step);
-    let [origin, tip] = ends.map(|end| stage.place_flat(end));
-    sheet.arrow(Look::RAY, origin, tip);
-    sheet.dot(Look::RAY, origin);
-    sheet.label(frame, tip, tip - origin, "z");
-    let positive = stage.direction(if letter == "x" { DVec3::X } else { DVec3::Y });
-    let short = origin + 2.6 * sheet.letters * positive;
-    sheet.arrow(Look::THIN, origin, short);
-    sheet.label(frame, short, positive, letter);
-    for (hit, step) in &laid.sorted {
-        sheet.at_step(*step);
-        let at = stage.place(DVec3::new(0.0, 0.0, hit.z));
-        mark(sheet, hit.place, at);
-    }
-    sheet.at_step(None);
+    sheet.step(laid.step, |sheet| {
+        let [origin, tip] = ends.map(|end| stage.place_flat(end));
+        sheet.arrow(Look::RAY, origin, tip);
+        sheet.dot(Look::RAY, origin);
+        sheet.label(frame, tip, tip - origin, "z");
+        let positive = stage.direction(if letter == "x" { DVec3::X } else { DVec3::Y });
+        let short = origin + 2.6 * sheet.letters * positive;
+        sheet.arrow(Look::THIN, origin, short);
+        sheet.label(frame, short, positive, letter);
+        for (hit, step) in &laid.sorted {
+            sheet.step(*step, |sheet| {
+                let at = stage.place(DVec3::new(0.0, 0.0, hit.z));
+                mark(sheet, hit.place, at);
+            });
+        }
+    });
     if !figure.shows(Layer::Names) {
         return;
     }
@@ -296,17 +299,17 @@ fn z_sort(figure: &Figure, sheet: &mut Sheet, frame: Frame, laid: &Laid) {
     let widths = names.iter().map(|name| sheet.width_of(name));
     let column = widths.fold(0.0, f64::max) + indent;
     for (row, ((hit, step), name)) in laid.sorted.iter().zip(&names).enumerate() {
-        sheet.at_step(*step);
-        let at = line(row as f64 + 1.0);
-        mark(sheet, hit.place, at + DVec2::new(0.5 * indent, 0.0));
-        let mut place = at + DVec2::new(1.5 * indent, 0.0);
-        sheet.text(Anchor::Start, place, name.as_str());
-        place.x += column;
-        let nearest = if hit.place == 0 { ", nearest" } else { "" };
-        let text = format!("z = {}{nearest}", quantity(hit.z));
-        sheet.text(Anchor::Start, place, text);
+        sheet.step(*step, |sheet| {
+            let at = line(row as f64 + 1.0);
+            mark(sheet, hit.place, at + DVec2::new(0.5 * indent, 0.0));
+            let mut place = at + DVec2::new(1.5 * indent, 0.0);
+            sheet.text(Anchor::Start, place, name.as_str());
+            place.x += column;
+            let nearest = if hit.place == 0 { ", nearest" } else { "" };
+            let text = format!("z = {}{nearest}", quantity(hit.z));
+            sheet.text(Anchor::Start, place, text);
+        });
     }
-    sheet.at_step(None);
 }
 
 fn in_words(figure: &Figure, laid: &Laid) -> String {

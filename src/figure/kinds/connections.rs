@@ -165,12 +165,9 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
     let both = Both::of(figure)?;
     let worked = both.worked();
     let body = match worked {
-        Some(line) if figure.shows(Layer::Numbers) => {
-            sheet.at_step(line.step);
-            let body = sheet.lines(body, &working(line.connection));
-            sheet.at_step(None);
-            body
-        }
+        Some(line) if figure.shows(Layer::Numbers) => sheet.step(line.step, |sheet| {
+            sheet.lines(body, &working(line.connection))
+        }),
         _ => body,
     };
     let body = if figure.shows(Layer::Legend) {
@@ -194,26 +191,27 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
         scenery::objects(figure, sheet, &stage, |_| Look::OBJECT);
     }
     scenery::camera_and_lights(figure, sheet, &stage);
-    sheet.cut_at(stage.frame);
-    if figure.shows(Layer::Connections) {
-        for line in &both.lines {
-            connecting_line(sheet, &stage, line);
+    sheet.within(stage.frame, |sheet| {
+        if figure.shows(Layer::Connections) {
+            for line in &both.lines {
+                connecting_line(sheet, &stage, line);
+            }
         }
-    }
-    if figure.shows(Layer::LightPaths) {
-        walk(sheet, &stage, &both.light, Look::LIGHT_RAY, "x");
-    }
-    if figure.shows(Layer::Ray) {
-        walk(sheet, &stage, &both.eye, Look::RAY, "y");
-    }
-    if let Some(line) = worked {
-        sheet.at_step(line.step);
-        let [from, to] = [line.connection.from, line.connection.to].map(|at| stage.place(at));
-        let across = (to - from).perp().normalize_or_zero();
-        sheet.label(stage.frame, from.midpoint(to), across, "G");
-    }
-    sheet.cut_at(None);
-    sheet.at_step(None);
+        if figure.shows(Layer::LightPaths) {
+            walk(sheet, &stage, &both.light, Look::LIGHT_RAY, "x");
+        }
+        if figure.shows(Layer::Ray) {
+            walk(sheet, &stage, &both.eye, Look::RAY, "y");
+        }
+        if let Some(line) = worked {
+            sheet.step(line.step, |sheet| {
+                let [from, to] =
+                    [line.connection.from, line.connection.to].map(|at| stage.place(at));
+                let across = (to - from).perp().normalize_or_zero();
+                sheet.label(stage.frame, from.midpoint(to), across, "G");
+            });
+        }
+    });
     // after the vertices, which stand where they stand
     if figure.shows(Layer::Names) {
         scenery::names(figure, sheet, &stage);
@@ -225,22 +223,23 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
 fn walk(sheet: &mut Sheet, stage: &Stage, walk: &Walk, look: Look, name: &str) {
     let mut before: Option<DVec2> = None;
     for (number, (step, at)) in walk.vertices.iter().enumerate() {
-        sheet.at_step(*step);
-        let at = stage.place(*at);
-        let head = 4.0 * sheet.unit();
-        let mut along = DVec2::ZERO;
-        if let Some(before) = before {
-            along = (at - before).normalize_or_zero();
-            sheet.arrow(look, before, at - head * along);
-        }
-        sheet.dot(look, at);
-        let towards = if along == DVec2::ZERO {
-            DVec2::NEG_X
-        } else {
-            along
-        };
-        sheet.label(stage.frame, at, towards, vertex(name, number));
-        before = Some(at);
+        sheet.step(*step, |sheet| {
+            let at = stage.place(*at);
+            let head = 4.0 * sheet.unit();
+            let mut along = DVec2::ZERO;
+            if let Some(before) = before {
+                along = (at - before).normalize_or_zero();
+                sheet.arrow(look, before, at - head * along);
+            }
+            sheet.dot(look, at);
+            let towards = if along == DVec2::ZERO {
+                DVec2::NEG_X
+            } else {
+                along
+            };
+            sheet.label(stage.frame, at, towards, vertex(name, number));
+            before = Some(at);
+        });
     }
 }
 
@@ -252,15 +251,16 @@ fn vertex(name: &str, number: usize) -> String {
 }
 
 fn connecting_line(sheet: &mut Sheet, stage: &Stage, line: &Line) {
-    sheet.at_step(line.step);
-    let ends = [line.connection.from, line.connection.to].map(|at| stage.place(at));
-    match line.blocked {
-        Some((_, at)) if !line.connection.visible => {
-            sheet.line(Look::BLOCKED_CONNECTION, ends[0], ends[1]);
-            sheet.cross(Look::REJECTED, stage.place(at));
+    sheet.step(line.step, |sheet| {
+        let ends = [line.connection.from, line.connection.to].map(|at| stage.place(at));
+        match line.blocked {
+            Some((_, at)) if !line.connection.visible => {
+                sheet.line(Look::BLOCKED_CONNECTION, ends[0], ends[1]);
+                sheet.cross(Look::REJECTED, stage.place(at));
+            }
+            _ => sheet.line(Look::CONNECTION, ends[0], ends[1]),
         }
-        _ => sheet.line(Look::CONNECTION, ends[0], ends[1]),
-    }
+    });
 }
 
 /// The names of the ends of a line.

@@ -39,14 +39,12 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
     };
     let numbers = numbers(gathering);
     let body = if figure.shows(Layer::Numbers) {
-        sheet.at_step(gathering.step);
-        sheet.lines(body, &numbers)
+        sheet.step(gathering.step, |sheet| sheet.lines(body, &numbers))
     } else {
         body
     };
     let stage = figure.stage(body, rim.iter().copied());
     let object = gathering.gathered.object;
-    sheet.at_step(None);
     if figure.shows(Layer::Objects) {
         let shape = &figure.scene.primitive(object).shape;
         let outline = Outline::of(shape, &stage.projection);
@@ -54,16 +52,16 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
         let name = scenery::name_of(figure.scene, object);
         sheet.label_in(stage.frame, name);
     }
-    sheet.cut_at(stage.frame);
-    if figure.shows(Layer::Hits) {
-        stored(figure, sheet, &stage, gathering);
-    }
-    let rim: Vec<DVec2> = rim.iter().map(|at| stage.projection.of(*at)).collect();
-    sheet.at_step(gathering.step);
-    outline::rim(sheet, &stage, &Rim::Points(rim), Look::HIT);
-    photons(sheet, &stage, gathering, radius);
-    sheet.cut_at(None);
-    sheet.at_step(None);
+    sheet.within(stage.frame, |sheet| {
+        if figure.shows(Layer::Hits) {
+            stored(figure, sheet, &stage, gathering);
+        }
+        let rim: Vec<DVec2> = rim.iter().map(|at| stage.projection.of(*at)).collect();
+        sheet.step(gathering.step, |sheet| {
+            outline::rim(sheet, &stage, &Rim::Points(rim), Look::HIT);
+            photons(sheet, &stage, gathering, radius);
+        });
+    });
     let object = scenery::name_of(figure.scene, object);
     Ok(format!(
         "Photons on {object} around the point p that the eye ray meets. {}.",
@@ -94,10 +92,11 @@ fn stored(figure: &Figure, sheet: &mut Sheet, stage: &Stage, gathering: &Gatheri
             if photon.object != gathering.gathered.object || is_near(photon.point) {
                 continue;
             }
-            sheet.at_step(leg.step);
-            let radius = 2.0 * sheet.unit();
-            let look = Look::THIN.inside().full();
-            sheet.circle(look, stage.place(photon.point), radius);
+            sheet.step(leg.step, |sheet| {
+                let radius = 2.0 * sheet.unit();
+                let look = Look::THIN.inside().full();
+                sheet.circle(look, stage.place(photon.point), radius);
+            });
         }
     }
 }
@@ -107,27 +106,28 @@ fn photons(sheet: &mut Sheet, stage: &Stage, gathering: &Gathering, radius: f64)
     let at = stage.place(gathering.gathered.point);
     let counted = gathering.counted().len();
     for (place, (step, photon)) in gathering.nearby.iter().enumerate() {
-        sheet.at_step(*step);
         let to = stage.place(photon.point);
         if place < counted {
-            sheet.dot(Look::HIT, to);
+            sheet.step(*step, |sheet| sheet.dot(Look::HIT, to));
             continue;
         }
-        sheet.at_step(gathering.step);
-        sheet.line(Look::HELP, at, to);
-        sheet.ring(Look::REJECTED, to);
-        let middle = at.lerp(to, 0.5);
-        let across = (to - at).perp().normalize_or_zero();
-        sheet.label(
-            stage.frame,
-            middle,
-            across,
-            format!("r = {}", quantity(radius)),
-        );
-        let outwards = (to - at).normalize_or_zero();
-        sheet.label(stage.frame, to, outwards, "does not count");
+        sheet.step(gathering.step, |sheet| {
+            sheet.line(Look::HELP, at, to);
+            sheet.ring(Look::REJECTED, to);
+            let middle = at.lerp(to, 0.5);
+            let across = (to - at).perp().normalize_or_zero();
+            sheet.label(
+                stage.frame,
+                middle,
+                across,
+                format!("r = {}", quantity(radius)),
+            );
+            let outwards = (to - at).normalize_or_zero();
+            sheet.label(stage.frame, to, outwards, "does not count");
+        });
     }
-    sheet.at_step(gathering.step);
-    sheet.cross(Look::RAY, at);
-    sheet.label(stage.frame, at, DVec2::new(-1.0, 1.0), "p");
+    sheet.step(gathering.step, |sheet| {
+        sheet.cross(Look::RAY, at);
+        sheet.label(stage.frame, at, DVec2::new(-1.0, 1.0), "p");
+    });
 }

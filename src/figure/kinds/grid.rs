@@ -55,7 +55,6 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
             plan.cell(sheet, visit, label(figure, place + 1, visit));
         }
     }
-    sheet.at_step(None);
     if figure.shows(Layer::Objects) {
         let look = if figure.shows(Layer::Tests) {
             Look::CULLED
@@ -75,7 +74,6 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
     if figure.shows(Layer::Tests) {
         hits(figure, sheet, &plan, (&ray, &walk));
     }
-    sheet.at_step(None);
     if figure.shows(Layer::Eye) {
         scenery::eye(figure, sheet, &plan.stage);
     }
@@ -120,9 +118,10 @@ fn look(ray: &DrawnRay, tested: &Listed) -> Look {
 fn object(figure: &Figure, sheet: &mut Sheet, stage: &Stage, (ray, tested): (&DrawnRay, &Listed)) {
     let shape = &figure.scene.primitive(tested.object).shape;
     let outline = Outline::of(shape, &stage.projection);
-    sheet.at_step(tested.step);
-    outline::rim(sheet, stage, &outline.rim, Look::PAPER_LINE.wide(2.0));
-    outline::draw(sheet, stage, &outline, look(ray, tested));
+    sheet.step(tested.step, |sheet| {
+        outline::rim(sheet, stage, &outline.rim, Look::PAPER_LINE.wide(2.0));
+        outline::draw(sheet, stage, &outline, look(ray, tested));
+    });
 }
 
 /// Where objects were hit.
@@ -134,21 +133,23 @@ fn hits(figure: &Figure, sheet: &mut Sheet, plan: &Plan, (ray, walk): (&DrawnRay
                 continue;
             };
             let at = plan.place(outside.t);
-            sheet.at_step(listed.step);
-            sheet.ring(MET, at);
-            let beyond = format!("beyond cell {}", place + 1);
-            sheet.label(frame, at, plan.above(), beyond);
+            sheet.step(listed.step, |sheet| {
+                sheet.ring(MET, at);
+                let beyond = format!("beyond cell {}", place + 1);
+                sheet.label(frame, at, plan.above(), beyond);
+            });
         }
     }
     let Some(t) = ray.node.end.and_then(|end| end.t) else {
         return;
     };
     let at = plan.place(t);
-    sheet.at_step(plan.last_step());
-    sheet.dot(Look::HIT, at);
-    if figure.shows(Layer::Numbers) {
-        sheet.label(frame, at, plan.above(), format!("t = {}", quantity(t)));
-    }
+    sheet.step(plan.last_step(), |sheet| {
+        sheet.dot(Look::HIT, at);
+        if figure.shows(Layer::Numbers) {
+            sheet.label(frame, at, plan.above(), format!("t = {}", quantity(t)));
+        }
+    });
 }
 
 /// The looks that this figure distinguishes.

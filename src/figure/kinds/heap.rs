@@ -139,7 +139,6 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
     for (place, turn) in turns[..shown].iter().enumerate() {
         table.turn(figure, sheet, place, turn);
     }
-    sheet.at_step(None);
     if shown < turns.len() {
         let at = DVec2::new(body.max.x, table.row(0));
         sheet.text(Anchor::End, at, "…");
@@ -216,7 +215,6 @@ impl Table {
     }
 
     fn head(&self, sheet: &mut Sheet) {
-        sheet.at_step(None);
         for (row, name) in NAMES.into_iter().enumerate() {
             let at = DVec2::new(self.frame.min.x, self.row(row));
             sheet.text(Anchor::Start, at, name);
@@ -230,36 +228,38 @@ impl Table {
         let x = self.column(place);
         let at = |row: usize| DVec2::new(x, self.row(row));
         if let Some(taken) = turn.taken {
-            sheet.at_step(turn.step);
-            let verdict = if turn.is_stop() {
-                Verdict::Pruned
-            } else {
-                Verdict::Entered
-            };
-            sheet.rectangle(verdict.look(), self.cell(at(0)));
-            sheet.text(Anchor::Middle, at(0), entry_text(taken.node, taken.key));
-            // from the top of the heap a column before
-            let before = self.column(place) - self.column;
-            let from = DVec2::new(before + 0.5 * self.cell.x, self.row(HEAP));
-            let to = DVec2::new(x - 0.5 * self.cell.x, self.row(0));
-            let between = 0.5 * (from.x + to.x);
-            let look = Look::THIN.wide(1.25);
-            let points = vec![from, DVec2::new(between, from.y), DVec2::new(between, to.y)];
-            sheet.path(look, points);
-            sheet.arrow(look, DVec2::new(between, to.y), to);
+            sheet.step(turn.step, |sheet| {
+                let verdict = if turn.is_stop() {
+                    Verdict::Pruned
+                } else {
+                    Verdict::Entered
+                };
+                sheet.rectangle(verdict.look(), self.cell(at(0)));
+                sheet.text(Anchor::Middle, at(0), entry_text(taken.node, taken.key));
+                // from the top of the heap a column before
+                let before = self.column(place) - self.column;
+                let from = DVec2::new(before + 0.5 * self.cell.x, self.row(HEAP));
+                let to = DVec2::new(x - 0.5 * self.cell.x, self.row(0));
+                let between = 0.5 * (from.x + to.x);
+                let look = Look::THIN.wide(1.25);
+                let points = vec![from, DVec2::new(between, from.y), DVec2::new(between, to.y)];
+                sheet.path(look, points);
+                sheet.arrow(look, DVec2::new(between, to.y), to);
+            });
         }
         if turn.is_stop() {
-            sheet.text(Anchor::Middle, at(1), "stop");
+            sheet.step(turn.step, |sheet| sheet.text(Anchor::Middle, at(1), "stop"));
         }
         tests(figure, sheet, at(1), turn);
         if let Some((_, t, step)) = turn.nearest {
-            sheet.at_step(step.max(turn.step));
-            let mut text = quantity(t);
-            let why = format!("{text} < key");
-            if turn.is_stop() && sheet.width_of(&why) < self.column - 0.3 * sheet.letters {
-                text = why;
-            }
-            sheet.text(Anchor::Middle, at(2), text);
+            sheet.step(step.max(turn.step), |sheet| {
+                let mut text = quantity(t);
+                let why = format!("{text} < key");
+                if turn.is_stop() && sheet.width_of(&why) < self.column - 0.3 * sheet.letters {
+                    text = why;
+                }
+                sheet.text(Anchor::Middle, at(2), text);
+            });
         }
         for (row, entry) in turn.waiting.iter().enumerate() {
             let middle = at(HEAP + row);
@@ -270,9 +270,10 @@ impl Table {
             } else {
                 WAITS
             };
-            sheet.at_step(entry.step.max(turn.step));
-            sheet.rectangle(look, self.cell(middle));
-            sheet.text(Anchor::Middle, middle, entry_text(entry.node, entry.key));
+            sheet.step(entry.step.max(turn.step), |sheet| {
+                sheet.rectangle(look, self.cell(middle));
+                sheet.text(Anchor::Middle, middle, entry_text(entry.node, entry.key));
+            });
         }
     }
 }
@@ -307,14 +308,15 @@ fn tests(figure: &Figure, sheet: &mut Sheet, middle: DVec2, turn: &Turn) {
     let all: f64 = widths.iter().sum();
     let mut left = middle.x - 0.5 * all;
     for ((name, width), (_, step, is_hit)) in names.into_iter().zip(widths).zip(&turn.tested) {
-        sheet.at_step(*step);
-        let look = if *is_hit { Look::HIT } else { Look::REJECTED };
-        let half = DVec2::new(0.5 * width - 0.1 * gap, 0.75 * sheet.letters);
-        let at = DVec2::new(left + 0.5 * width, middle.y);
-        let (min, max) = (at - half, at + half);
-        sheet.rectangle(look.outline(), Frame { min, max });
-        sheet.text(Anchor::Middle, at, name);
-        left += width;
+        sheet.step(*step, |sheet| {
+            let look = if *is_hit { Look::HIT } else { Look::REJECTED };
+            let half = DVec2::new(0.5 * width - 0.1 * gap, 0.75 * sheet.letters);
+            let at = DVec2::new(left + 0.5 * width, middle.y);
+            let (min, max) = (at - half, at + half);
+            sheet.rectangle(look.outline(), Frame { min, max });
+            sheet.text(Anchor::Middle, at, name);
+            left += width;
+        });
     }
 }
 

@@ -112,21 +112,20 @@ impl Walk<'_> {
             .into_iter()
             .chain(origin.filter(|_| figure.shows(Layer::Ray)));
         let stage = figure.stage(frame, shown);
-        sheet.at_step(None);
         if figure.shows(Layer::Objects) {
             scenery::objects(figure, sheet, &stage, |_| Look::OBJECT);
         }
         for (visit, slabs) in self.visits.nodes.iter().zip(&bounds) {
             if figure.shows(Layer::Volumes) {
-                sheet.at_step(visit.step);
-                let around = bound::outline(slabs, &stage.projection);
-                outline::draw(sheet, &stage, &around, visit.verdict.look().outline());
+                sheet.step(visit.step, |sheet| {
+                    let around = bound::outline(slabs, &stage.projection);
+                    outline::draw(sheet, &stage, &around, visit.verdict.look().outline());
+                });
             }
         }
         if figure.shows(Layer::Ray) {
             self.ray(sheet, &stage);
         }
-        sheet.at_step(None);
         if figure.shows(Layer::Names) {
             scenery::names(figure, sheet, &stage);
         }
@@ -143,13 +142,14 @@ impl Walk<'_> {
                 };
                 let corner = DVec2::new(around.max.x, around.min.y);
                 if stage.frame.contains(corner) {
-                    sheet.at_step(self.visits.nodes[number].step);
-                    sheet.label(
-                        stage.frame,
-                        corner,
-                        DVec2::new(1.0, -1.0),
-                        number.to_string(),
-                    );
+                    sheet.step(self.visits.nodes[number].step, |sheet| {
+                        sheet.label(
+                            stage.frame,
+                            corner,
+                            DVec2::new(1.0, -1.0),
+                            number.to_string(),
+                        );
+                    });
                 }
             }
         }
@@ -167,14 +167,14 @@ impl Walk<'_> {
             return;
         };
         if let Some([from, to]) = stage.frame.cut_line([origin, end]) {
-            sheet.at_step(None);
             sheet.arrow(Look::RAY, from, to);
             let along = to - from;
             sheet.label(stage.frame, from + 0.1 * along, along.perp(), "ray r");
             if met.is_some() {
                 let test = self.visits.tested.iter().rfind(|(_, _, is_hit)| *is_hit);
-                sheet.at_step(test.map(|(_, step, _)| *step));
-                sheet.dot(Look::HIT, to);
+                sheet.step(test.map(|(_, step, _)| *step), |sheet| {
+                    sheet.dot(Look::HIT, to);
+                });
             }
         }
     }
@@ -201,22 +201,24 @@ impl Walk<'_> {
                 step.map(|step| (Some(step), visit.verdict.look())),
             ];
             for (step, look) in looks.into_iter().flatten() {
-                sheet.at_step(step);
-                if let Some(parent) = node.parent {
-                    let along = (at(number) - at(parent)).normalize_or_zero() * radius;
-                    let (from, to) = (at(parent) + along, at(number) - along);
-                    sheet.line(look.outline(), from, to);
-                }
-                sheet.circle(look, at(number), radius);
+                sheet.step(step, |sheet| {
+                    if let Some(parent) = node.parent {
+                        let along = (at(number) - at(parent)).normalize_or_zero() * radius;
+                        let (from, to) = (at(parent) + along, at(number) - along);
+                        sheet.line(look.outline(), from, to);
+                    }
+                    sheet.circle(look, at(number), radius);
+                });
             }
-            mark(
-                sheet,
-                visit.verdict,
-                node.parent.map(at),
-                at(number),
-                radius,
-            );
-            sheet.at_step(None);
+            sheet.step(step, |sheet| {
+                mark(
+                    sheet,
+                    visit.verdict,
+                    node.parent.map(at),
+                    at(number),
+                    radius,
+                );
+            });
             if 0.75 * sheet.letters <= radius {
                 sheet.text(Anchor::Middle, at(number), number.to_string());
             }
@@ -240,7 +242,6 @@ impl Walk<'_> {
             return;
         }
         let middle = below + DVec2::new(0.0, 1.05 * sheet.letters);
-        sheet.at_step(None);
         sheet.text(Anchor::Middle, middle, text);
         for (object, step, is_hit) in &self.visits.tested {
             if !objects.contains(object) {
@@ -249,8 +250,9 @@ impl Walk<'_> {
             let half = DVec2::new(0.5 * width + 0.4 * sheet.letters, 0.75 * sheet.letters);
             let (min, max) = (middle - half, middle + half);
             let look = if *is_hit { Look::HIT } else { Look::REJECTED };
-            sheet.at_step(*step);
-            sheet.rectangle(look.outline(), Frame { min, max });
+            sheet.step(*step, |sheet| {
+                sheet.rectangle(look.outline(), Frame { min, max });
+            });
         }
     }
 

@@ -72,20 +72,20 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
             .tests
             .iter()
             .find(|(_, test)| test.step.slab == slab.number);
-        sheet.at_step(None);
         axis.name(sheet, place, slab);
         if let Some((step, test)) = test {
-            sheet.at_step(*step);
-            axis.slab(sheet, place, &test.step);
+            sheet.step(*step, |sheet| {
+                axis.slab(sheet, place, &test.step);
+            });
         } else {
             axis.untouched(sheet, place);
         }
     }
     if let Some((step, last)) = found.tests.last() {
-        sheet.at_step(*step);
-        axis.result(sheet, all.len(), &last.step);
+        sheet.step(*step, |sheet| {
+            axis.result(sheet, all.len(), &last.step);
+        });
     }
-    sheet.at_step(None);
     axis.draw(sheet, all.len() + 1);
     Ok(in_words(figure, &found, all.len()))
 }
@@ -166,32 +166,32 @@ fn geometry(
             .tests
             .iter()
             .find(|(_, test)| test.step.slab == slab.number);
-        sheet.at_step(test.map(|(step, _)| *step));
-        if figure.shows(Layer::Slabs) && slab.is_on_edge(&stage.projection) {
-            let look = if test.is_some() {
-                Look::VISITED.outline().wide(1.0)
-            } else {
-                Look::CULLED
-            };
-            bound::pair(sheet, stage, room, slab, middle, look);
-        }
-        if let Some((_, test)) = test
-            && let SlabInterval::Between { near, far } = test.step.interval
-        {
-            for (t, is_near) in [(near, true), (far, false)] {
-                let at = stage.place(ray.at(t));
-                if !stage.frame.contains(at) {
-                    continue;
-                }
-                if is_near {
-                    sheet.dot(OF_SLAB, at);
+        sheet.step(test.map(|(step, _)| *step), |sheet| {
+            if figure.shows(Layer::Slabs) && slab.is_on_edge(&stage.projection) {
+                let look = if test.is_some() {
+                    Look::VISITED.outline().wide(1.0)
                 } else {
-                    sheet.ring(OF_SLAB.wide(1.75), at);
+                    Look::CULLED
+                };
+                bound::pair(sheet, stage, room, slab, middle, look);
+            }
+            if let Some((_, test)) = test
+                && let SlabInterval::Between { near, far } = test.step.interval
+            {
+                for (t, is_near) in [(near, true), (far, false)] {
+                    let at = stage.place(ray.at(t));
+                    if !stage.frame.contains(at) {
+                        continue;
+                    }
+                    if is_near {
+                        sheet.dot(OF_SLAB, at);
+                    } else {
+                        sheet.ring(OF_SLAB.wide(1.75), at);
+                    }
                 }
             }
-        }
+        });
     }
-    sheet.at_step(None);
     let from = stage.place(ray.origin);
     let to = DVec2::new(stage.frame.max.x, from.y);
     sheet.arrow(Look::RAY, from, to);

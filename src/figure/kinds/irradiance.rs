@@ -89,11 +89,11 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
             ));
         };
         let numbers = numbers(*pixel, gathering);
-        sheet.at_step(gathering.step);
-        if figure.shows(Layer::Numbers) {
-            body = sheet.lines(body, &numbers);
-        }
-        sheet.at_step(None);
+        sheet.step(gathering.step, |sheet| {
+            if figure.shows(Layer::Numbers) {
+                body = sheet.lines(body, &numbers);
+            }
+        });
         sentences.extend(numbers.iter().map(|text| format!("{text}.")));
         marked = Some((*pixel, gathering.step));
     }
@@ -109,15 +109,15 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
     };
     let squares = picture::squares(sheet, room, figure.scene.camera.pixels, &map.colours(most));
     if let Some(([x, y], step)) = marked {
-        sheet.at_step(step);
-        let pixel = Frame {
-            min: squares.at(x, y),
-            max: squares.at(x + 1, y + 1),
-        };
-        // on any colour: dark inside light
-        sheet.rectangle(Look::PAPER_LINE, pixel.wider(2.0 * sheet.unit()));
-        sheet.rectangle(Look::THIN.wide(1.5), pixel.wider(1.0 * sheet.unit()));
-        sheet.at_step(None);
+        sheet.step(step, |sheet| {
+            let pixel = Frame {
+                min: squares.at(x, y),
+                max: squares.at(x + 1, y + 1),
+            };
+            // on any colour: dark inside light
+            sheet.rectangle(Look::PAPER_LINE, pixel.wider(2.0 * sheet.unit()));
+            sheet.rectangle(Look::THIN.wide(1.5), pixel.wider(1.0 * sheet.unit()));
+        });
     }
     if figure.shows(Layer::Legend) {
         let whole = squares.whole;

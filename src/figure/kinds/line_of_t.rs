@@ -90,9 +90,9 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
     if figure.shows(Layer::Objects)
         && let Some(outline) = &met
     {
-        sheet.at_step(line.end_step);
-        draw_outline(sheet, &stage, outline, Look::HIT);
-        sheet.at_step(None);
+        sheet.step(line.end_step, |sheet| {
+            draw_outline(sheet, &stage, outline, Look::HIT);
+        });
     }
     if figure.shows(Layer::Window) {
         let corners = scenery::window_corners(figure.scene).map(|of| projection.of(of));
@@ -172,28 +172,30 @@ fn the_line(sheet: &mut Sheet, stage: &Stage, line: &Line, stops: &[Stop], ends:
         Some(t) => {
             let hit = stage.place(line.unit.ray.at(t));
             sheet.line(Look::LINE_OF_RAY, hit, to);
-            sheet.at_step(line.end_step);
-            sheet.line(Look::RAY, at(1.0), hit);
+            sheet.step(line.end_step, |sheet| {
+                sheet.line(Look::RAY, at(1.0), hit);
+            });
         }
         None => sheet.line(Look::RAY, at(1.0), to),
     }
-    sheet.at_step(line.window_step);
-    sheet.arrow(Look::VISITED.wide(2.5), at(0.0), at(1.0));
-    for stop in stops {
-        sheet.at_step(stop.step);
-        let look = if stop.name == "hit" {
-            Look::HIT
-        } else {
-            Look::RAY
-        };
-        let place = stage.place(stop.point);
-        if stop.t[0] < 0.0 {
-            sheet.ring(look.wide(1.5), place);
-        } else {
-            sheet.dot(look, place);
+    sheet.step(line.window_step, |sheet| {
+        sheet.arrow(Look::VISITED.wide(2.5), at(0.0), at(1.0));
+        for stop in stops {
+            sheet.step(stop.step, |sheet| {
+                let look = if stop.name == "hit" {
+                    Look::HIT
+                } else {
+                    Look::RAY
+                };
+                let place = stage.place(stop.point);
+                if stop.t[0] < 0.0 {
+                    sheet.ring(look.wide(1.5), place);
+                } else {
+                    sheet.dot(look, place);
+                }
+            });
         }
-    }
-    sheet.at_step(None);
+    });
 }
 
 fn labels(figure: &Figure, sheet: &mut Sheet, stage: &Stage, line: &Line, stops: &[Stop]) {
@@ -207,20 +209,21 @@ fn labels(figure: &Figure, sheet: &mut Sheet, stage: &Stage, line: &Line, stops:
             (false, "") => continue,
             (false, name) => name.into(),
         };
-        sheet.at_step(stop.step);
-        sheet.label(stage.frame, place, DVec2::NEG_Y, text);
+        sheet.step(stop.step, |sheet| {
+            sheet.label(stage.frame, place, DVec2::NEG_Y, text);
+        });
     }
-    sheet.at_step(line.window_step);
-    let middle = stage.place(line.to_window.at(0.5));
-    let [from, to] = [0.0, 1.0].map(|t| stage.place(line.to_window.at(t)));
-    // between the lines down from the COP and the pixel's centre, or else without the numbers; the letters of a page are
-    // narrower than those that are measured
-    let room = from.distance(to);
-    let text = format!("Δ = {}", coordinates(line.to_window.direction));
-    let is_told = figure.shows(Layer::Numbers) && sheet.width_of(&text) <= room;
-    let text = if is_told { text } else { "Δ".into() };
-    sheet.label(stage.frame, middle, DVec2::Y, text);
-    sheet.at_step(None);
+    sheet.step(line.window_step, |sheet| {
+        let middle = stage.place(line.to_window.at(0.5));
+        let [from, to] = [0.0, 1.0].map(|t| stage.place(line.to_window.at(t)));
+        // between the lines down from the COP and the pixel's centre, or else without the numbers; the letters of a page are
+        // narrower than those that are measured
+        let room = from.distance(to);
+        let text = format!("Δ = {}", coordinates(line.to_window.direction));
+        let is_told = figure.shows(Layer::Numbers) && sheet.width_of(&text) <= room;
+        let text = if is_told { text } else { "Δ".into() };
+        sheet.label(stage.frame, middle, DVec2::Y, text);
+    });
     if figure.shows(Layer::Window) {
         let corners = scenery::window_corners(figure.scene).map(|of| stage.projection.of(of));
         let around = hull(corners.into()).into_iter();
@@ -246,29 +249,31 @@ fn scales_below(sheet: &mut Sheet, stage: &Stage, below: Frame, stops: &[Stop], 
         let step = [None, Some(line.unit_step)][scale];
         let y = below.min.y + (scale as f64 + 0.4) * height;
         let [left, right] = [stage.frame.min.x, stage.frame.max.x].map(|x| DVec2::new(x, y));
-        sheet.at_step(step);
-        sheet.arrow(Look::THIN.wide(1.25), left, right);
-        let name = DVec2::new(below.min.x, y);
-        sheet.text(Anchor::Start, name, format!("|Δ| = {}", quantity(length)));
-        let end = right - DVec2::new(0.0, 0.9 * sheet.letters);
-        sheet.text(Anchor::End, end, "t");
-        for stop in stops {
-            let x = stage.place(stop.point).x;
-            sheet.at_step(step.max(stop.step));
-            let [from, to] = [-tick, tick].map(|by| DVec2::new(x, y + by));
-            sheet.line(Look::THIN.wide(1.5), from, to);
-            let place = DVec2::new(x, y + tick + 0.75 * sheet.letters);
-            sheet.text(Anchor::Middle, place, quantity(stop.t[scale]));
-        }
+        sheet.step(step, |sheet| {
+            sheet.arrow(Look::THIN.wide(1.25), left, right);
+            let name = DVec2::new(below.min.x, y);
+            sheet.text(Anchor::Start, name, format!("|Δ| = {}", quantity(length)));
+            let end = right - DVec2::new(0.0, 0.9 * sheet.letters);
+            sheet.text(Anchor::End, end, "t");
+            for stop in stops {
+                let x = stage.place(stop.point).x;
+                sheet.step(step.max(stop.step), |sheet| {
+                    let [from, to] = [-tick, tick].map(|by| DVec2::new(x, y + by));
+                    sheet.line(Look::THIN.wide(1.5), from, to);
+                    let place = DVec2::new(x, y + tick + 0.75 * sheet.letters);
+                    sheet.text(Anchor::Middle, place, quantity(stop.t[scale]));
+                });
+            }
+        });
     }
     // from the points down to the first scale
     for stop in stops {
         let from = stage.place(stop.point);
         let y = below.min.y + 0.4 * height - tick;
-        sheet.at_step(stop.step);
-        sheet.line(Look::HELP.wide(0.75), from, DVec2::new(from.x, y));
+        sheet.step(stop.step, |sheet| {
+            sheet.line(Look::HELP.wide(0.75), from, DVec2::new(from.x, y));
+        });
     }
-    sheet.at_step(None);
 }
 
 /// What the parts of the line are, below the scales.
@@ -294,10 +299,10 @@ fn names(figure: &Figure, sheet: &mut Sheet, stage: &Stage, line: &Line, met: Op
     };
     let points = outline.rim.points();
     let middle = points.iter().sum::<DVec2>() / points.len().max(1) as f64;
-    sheet.at_step(line.end_step);
-    let name = scenery::name_of(figure.scene, id);
-    sheet.label(stage.frame, stage.place_flat(middle), DVec2::Y, name);
-    sheet.at_step(None);
+    sheet.step(line.end_step, |sheet| {
+        let name = scenery::name_of(figure.scene, id);
+        sheet.label(stage.frame, stage.place_flat(middle), DVec2::Y, name);
+    });
 }
 
 fn in_words(figure: &Figure, line: &Line) -> String {

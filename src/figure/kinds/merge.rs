@@ -89,11 +89,11 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
         planes(sheet, &stage, room, &joined);
     }
     if figure.shows(Layer::Volumes) {
-        sheet.at_step(joined.steps.last().map(|(step, _)| *step));
-        let around = bound::outline(both, &stage.projection);
-        outline::rim(sheet, &stage, &around.rim, BOTH);
+        sheet.step(joined.steps.last().map(|(step, _)| *step), |sheet| {
+            let around = bound::outline(both, &stage.projection);
+            outline::rim(sheet, &stage, &around.rim, BOTH);
+        });
     }
-    sheet.at_step(None);
     if figure.shows(Layer::Names) {
         for (slabs, name) in [first, second].into_iter().zip(&joined.names) {
             let at = stage.place(bound::middle(slabs));
@@ -125,9 +125,10 @@ fn planes(sheet: &mut Sheet, stage: &Stage, room: Frame, joined: &Joined) {
     let lines = with_names(&lines, &rim, sheet.letters);
     for ((step, name), line) in named.into_iter().zip(lines) {
         let [from, to] = line.ends;
-        sheet.at_step(step);
-        sheet.line(Look::VISITED.outline().wide(1.0), from, to);
-        sheet.label(stage.frame, to, line.towards, name);
+        sheet.step(step, |sheet| {
+            sheet.line(Look::VISITED.outline().wide(1.0), from, to);
+            sheet.label(stage.frame, to, line.towards, name);
+        });
     }
 }
 
@@ -323,7 +324,6 @@ impl Table {
         let top = frame.middle().y - 0.5 * rows * line;
         let row = |place: usize| top + (place as f64 + 0.5) * line;
         let pad = 0.35 * sheet.letters;
-        sheet.at_step(None);
         for (column, text) in [2, 4].into_iter().zip(HEADS) {
             let at = DVec2::new(self.end(frame, column), row(0));
             sheet.text(Anchor::End, at, text);
@@ -336,21 +336,21 @@ impl Table {
         let ends = [frame.min.x, self.end(frame, 4) + pad].map(|x| DVec2::new(x, under));
         sheet.line(Look::THIN, ends[0], ends[1]);
         for (place, (step, cells)) in self.rows.iter().enumerate() {
-            sheet.at_step(*step);
-            let y = row(place + 2);
-            for (column, cell) in cells.iter().enumerate() {
-                let x = self.end(frame, column);
-                if cell.is_taken {
-                    let width = sheet.width_of(&cell.text);
-                    let half = DVec2::new(0.5 * width + pad, 0.75 * sheet.letters);
-                    let middle = DVec2::new(x - 0.5 * width, y);
-                    let (min, max) = (middle - half, middle + half);
-                    sheet.rectangle(Look::VISITED, Frame { min, max });
+            sheet.step(*step, |sheet| {
+                let y = row(place + 2);
+                for (column, cell) in cells.iter().enumerate() {
+                    let x = self.end(frame, column);
+                    if cell.is_taken {
+                        let width = sheet.width_of(&cell.text);
+                        let half = DVec2::new(0.5 * width + pad, 0.75 * sheet.letters);
+                        let middle = DVec2::new(x - 0.5 * width, y);
+                        let (min, max) = (middle - half, middle + half);
+                        sheet.rectangle(Look::VISITED, Frame { min, max });
+                    }
+                    sheet.text(Anchor::End, DVec2::new(x, y), cell.text.as_str());
                 }
-                sheet.text(Anchor::End, DVec2::new(x, y), cell.text.as_str());
-            }
+            });
         }
-        sheet.at_step(None);
     }
 }
 

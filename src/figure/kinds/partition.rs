@@ -46,7 +46,6 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
         depth_axis(figure)?;
         words += &lists(figure, sheet, &stage, &lattice);
     }
-    sheet.at_step(None);
     if figure.shows(Layer::Cells) {
         planes(sheet, &stage, &lattice);
     }
@@ -81,9 +80,10 @@ fn lists(figure: &Figure, sheet: &mut Sheet, stage: &Stage, lattice: &Lattice) -
         let Some(area) = lattice.area(cell, stage) else {
             continue;
         };
-        sheet.at_step(step);
-        sheet.rectangle(plan::LISTED.outline(), area);
-        sheet.label_in(area, format!("{{{}}}", names.join(", ")));
+        sheet.step(step, |sheet| {
+            sheet.rectangle(plan::LISTED.outline(), area);
+            sheet.label_in(area, format!("{{{}}}", names.join(", ")));
+        });
     }
     let sentences = cells_of.iter().map(|(object, count)| {
         let name = scenery::name_of(figure.scene, *object);

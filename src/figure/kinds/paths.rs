@@ -201,7 +201,6 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
             }
         }
     }
-    sheet.at_step(None);
     Ok(in_words(figure, &shown))
 }
 
@@ -227,12 +226,12 @@ fn numbers(figure: &Figure, sheet: &mut Sheet, body: Frame, shown: &Shown) -> Fr
         }
     }
     for (place, (step, text)) in lines.iter().enumerate() {
-        sheet.at_step(*step);
-        let down = (place as f64 + 0.5) * sheet.line_height();
-        let at = body.min + DVec2::new(0.0, down);
-        sheet.text(Anchor::Start, at, text.as_str());
+        sheet.step(*step, |sheet| {
+            let down = (place as f64 + 0.5) * sheet.line_height();
+            let at = body.min + DVec2::new(0.0, down);
+            sheet.text(Anchor::Start, at, text.as_str());
+        });
     }
-    sheet.at_step(None);
     let [_, rest] = body.split_top((lines.len() as f64 + 0.4) * sheet.line_height());
     rest
 }
@@ -260,8 +259,9 @@ fn paths(figure: &Figure, sheet: &mut Sheet, stage: &Stage, shown: &Shown) {
     for (path, uses) in &shown.paths {
         for (leg, of) in path.legs.iter().zip(uses) {
             if drawn(figure).contains(of) {
-                sheet.at_step(leg.step);
-                draw_leg(figure, sheet, stage, leg, *of);
+                sheet.step(leg.step, |sheet| {
+                    draw_leg(figure, sheet, stage, leg, *of);
+                });
             }
         }
     }
@@ -314,21 +314,22 @@ fn eye_rays(figure: &Figure, sheet: &mut Sheet, stage: &Stage, section: &Section
         let Some([from, to]) = stage.frame.cut_line(ends) else {
             continue;
         };
-        sheet.at_step(section.step(&section.records[at]));
-        let look = match start.purpose {
-            Purpose::Eye => Look::RAY,
-            Purpose::Refracted => Look::REFRACTED_RAY,
-            _ => Look::REFLECTED_RAY,
-        };
-        sheet.arrow(look, from, to);
-        if start.purpose == Purpose::Eye {
-            let across = (to - from).perp().normalize_or_zero();
-            let up = if 0.0 < across.y { -across } else { across };
-            sheet.label(stage.frame, from.lerp(to, 0.45), up, "eye ray");
-        }
-        if figure.shows(Layer::Hits) && end.t.is_some() {
-            sheet.dot(Look::HIT, to);
-        }
+        sheet.step(section.step(&section.records[at]), |sheet| {
+            let look = match start.purpose {
+                Purpose::Eye => Look::RAY,
+                Purpose::Refracted => Look::REFRACTED_RAY,
+                _ => Look::REFLECTED_RAY,
+            };
+            sheet.arrow(look, from, to);
+            if start.purpose == Purpose::Eye {
+                let across = (to - from).perp().normalize_or_zero();
+                let up = if 0.0 < across.y { -across } else { across };
+                sheet.label(stage.frame, from.lerp(to, 0.45), up, "eye ray");
+            }
+            if figure.shows(Layer::Hits) && end.t.is_some() {
+                sheet.dot(Look::HIT, to);
+            }
+        });
     }
 }
 
@@ -337,15 +338,16 @@ fn disc_around(figure: &Figure, sheet: &mut Sheet, stage: &Stage, gathering: &Ga
     let Some(rim) = gathering.disc(figure.scene) else {
         return;
     };
-    sheet.at_step(gathering.step);
-    let rim: Vec<DVec2> = rim.iter().map(|at| stage.projection.of(*at)).collect();
-    let [left, right] = ends_across(&rim).map(|at| stage.place_flat(at));
-    outline::rim(sheet, stage, &Rim::Points(rim), Look::HIT.wide(5.0));
-    let end = if left.x < right.x { right } else { left };
-    if stage.frame.contains(end) {
-        let text = format!("disc of {} photons", gathering.gathered.count);
-        sheet.label(stage.frame, end, DVec2::ONE, text);
-    }
+    sheet.step(gathering.step, |sheet| {
+        let rim: Vec<DVec2> = rim.iter().map(|at| stage.projection.of(*at)).collect();
+        let [left, right] = ends_across(&rim).map(|at| stage.place_flat(at));
+        outline::rim(sheet, stage, &Rim::Points(rim), Look::HIT.wide(5.0));
+        let end = if left.x < right.x { right } else { left };
+        if stage.frame.contains(end) {
+            let text = format!("disc of {} photons", gathering.gathered.count);
+            sheet.label(stage.frame, end, DVec2::ONE, text);
+        }
+    });
 }
 
 /// The two points that are farthest apart to the right and to the left.

@@ -78,12 +78,12 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
     panels(figure, sheet, &stage);
     if figure.shows(Layer::Ray) {
         for (of, name) in seen.iter().zip(NAMES) {
-            sheet.at_step(of.step);
-            ray(sheet, &stage, camera, of, name);
+            sheet.step(of.step, |sheet| {
+                ray(sheet, &stage, camera, of, name);
+            });
         }
     }
     images(sheet, &stage, &seen, is_edge_on);
-    sheet.at_step(None);
     if has_distances {
         distances(sheet, &stage, camera, &case);
     }
@@ -290,11 +290,12 @@ fn images(sheet: &mut Sheet, stage: &Stage, seen: &[Seen], is_edge_on: bool) {
     let ([first, .., last], true) = (seen, is_edge_on) else {
         return;
     };
-    sheet.at_step(last.step.max(first.step));
-    let look = Look::HIT.outline().wide(4.0);
-    for image in [|of: &Seen| of.on_window, |of: &Seen| of.on_negative] {
-        sheet.arrow(look, stage.place(image(last)), stage.place(image(first)));
-    }
+    sheet.step(last.step.max(first.step), |sheet| {
+        let look = Look::HIT.outline().wide(4.0);
+        for image in [|of: &Seen| of.on_window, |of: &Seen| of.on_negative] {
+            sheet.arrow(look, stage.place(image(last)), stage.place(image(first)));
+        }
+    });
 }
 
 /// Below the box and the window: both are at the same distance from the pinhole.

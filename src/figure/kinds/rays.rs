@@ -82,14 +82,17 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
     for (section, tree) in &trees {
         let records = section.records;
         for node in tree.rays.iter().filter(shown) {
-            sheet.at_step(node.ends_at[0].map(|at| section.step(&records[at])));
-            ray(figure, sheet, &stage, node, &mut named);
-            sentences.extend(in_words(figure, node));
-            surface::draw(figure, sheet, &stage, records, node);
-            sentences.extend(surface::in_words(records, node));
+            sheet.step(
+                node.ends_at[0].map(|at| section.step(&records[at])),
+                |sheet| {
+                    ray(figure, sheet, &stage, node, &mut named);
+                    sentences.extend(in_words(figure, node));
+                    surface::draw(figure, sheet, &stage, records, node);
+                    sentences.extend(surface::in_words(records, node));
+                },
+            );
         }
     }
-    sheet.at_step(None);
     Ok(sentences.join(" "))
 }
 

@@ -160,12 +160,13 @@ fn vectors(figure: &Figure, sheet: &mut Sheet, stage: &Stage, point: &Point, len
     for (direction, name, look, step) in all {
         let along = stage.direction(direction);
         let end = at + length * along;
-        sheet.at_step(step);
-        sheet.arrow(look, at, end);
-        sheet.label(stage.frame, end, along, name);
+        sheet.step(step, |sheet| {
+            sheet.arrow(look, at, end);
+            sheet.label(stage.frame, end, along, name);
+        });
     }
     if figure.shows(Layer::Angles) {
-        let mut angle = |between: [DVec3; 2], share: f64, name: &str| {
+        let angle = |sheet: &mut Sheet, between: [DVec3; 2], share: f64, name: &str| {
             let angle = Angle {
                 at,
                 between: between.map(|of| stage.direction(of)),
@@ -173,11 +174,13 @@ fn vectors(figure: &Figure, sheet: &mut Sheet, stage: &Stage, point: &Point, len
             };
             angle.draw(sheet, stage.frame, name);
         };
-        angle([normal, to_light], 0.3, "θ");
-        angle([normal, point.mirrored], 0.3, "θ");
-        angle([point.mirrored, point.to_viewer], 0.75, "α");
+        // the last of the vectors is there with the shade
+        sheet.step(point.shade_step, |sheet| {
+            angle(sheet, [normal, to_light], 0.3, "θ");
+            angle(sheet, [normal, point.mirrored], 0.3, "θ");
+            angle(sheet, [point.mirrored, point.to_viewer], 0.75, "α");
+        });
     }
-    sheet.at_step(None);
     sheet.dot(Look::HIT, at);
 }
 
@@ -226,19 +229,19 @@ fn numbers(sheet: &mut Sheet, frame: Frame, rows: Vec<Row>) {
     let top = frame.middle().y - 0.5 * line * (rows.len() as f64 - 1.0);
     for (i, (name, value, step)) in rows.into_iter().enumerate() {
         let middle = top + i as f64 * line;
-        sheet.at_step(step);
-        if name == "I" {
-            let rule = middle - 0.5 * line;
-            let [from, to] = [frame.min.x, frame.max.x].map(|x| DVec2::new(x, rule));
-            sheet.line(Look::THIN, from, to);
-        }
-        for (x, text) in [(frame.min.x, name.to_owned()), (column, value)] {
-            if !text.is_empty() {
-                sheet.text(Anchor::Start, DVec2::new(x, middle), text);
+        sheet.step(step, |sheet| {
+            if name == "I" {
+                let rule = middle - 0.5 * line;
+                let [from, to] = [frame.min.x, frame.max.x].map(|x| DVec2::new(x, rule));
+                sheet.line(Look::THIN, from, to);
             }
-        }
+            for (x, text) in [(frame.min.x, name.to_owned()), (column, value)] {
+                if !text.is_empty() {
+                    sheet.text(Anchor::Start, DVec2::new(x, middle), text);
+                }
+            }
+        });
     }
-    sheet.at_step(None);
 }
 
 fn in_words(figure: &Figure, point: &Point) -> String {

@@ -153,11 +153,11 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
     }
     planes(figure, sheet, &stage, room, &all, &slabs);
     if figure.shows(Layer::Volumes) {
-        sheet.at_step(found.decided.map(|(step, _)| step));
-        let around = bound::outline(&all, &stage.projection);
-        outline::rim(sheet, &stage, &around.rim, Look::VISITED.wide(3.0));
+        sheet.step(found.decided.map(|(step, _)| step), |sheet| {
+            let around = bound::outline(&all, &stage.projection);
+            outline::rim(sheet, &stage, &around.rim, Look::VISITED.wide(3.0));
+        });
     }
-    sheet.at_step(None);
     if figure.shows(Layer::Names) {
         let at = stage.place(middle) - DVec2::new(sheet.letters, 0.0);
         sheet.label(stage.frame, at, DVec2::X, bounded(figure, found.of));
@@ -190,12 +190,13 @@ fn planes(
     let lines = with_names(&lines, &rim, sheet.letters);
     for ((step, slab, d), line) in of.iter().zip(&lines) {
         let [from, to] = line.ends;
-        sheet.at_step(*step);
-        if figure.shows(Layer::Slabs) {
-            sheet.line(Look::VISITED.outline().wide(1.0), from, to);
-            let text = format!("{} {d}", slab.name());
-            sheet.label(stage.frame, to, line.towards, text);
-        }
+        sheet.step(*step, |sheet| {
+            if figure.shows(Layer::Slabs) {
+                sheet.line(Look::VISITED.outline().wide(1.0), from, to);
+                let text = format!("{} {d}", slab.name());
+                sheet.label(stage.frame, to, line.towards, text);
+            }
+        });
     }
     if !figure.shows(Layer::Normals) {
         return;
@@ -207,9 +208,10 @@ fn planes(
         let along = stage.direction(slab.normal);
         let from = foot(&lines, place, along, sheet.letters);
         let to = from + ARROW * sheet.letters * along;
-        sheet.at_step(*step);
-        sheet.arrow(Look::RAY.wide(1.5), from, to);
-        sheet.label(stage.frame, to, along, slab.name());
+        sheet.step(*step, |sheet| {
+            sheet.arrow(Look::RAY.wide(1.5), from, to);
+            sheet.label(stage.frame, to, along, slab.name());
+        });
     }
 }
 
@@ -295,7 +297,6 @@ impl Table {
         let rows = self.rows.len() as f64 + 1.0;
         let top = frame.middle().y - 0.5 * rows * line;
         let row = |place: f64| top + (place + 0.5) * line;
-        sheet.at_step(None);
         for (column, text) in Self::HEAD.into_iter().enumerate() {
             sheet.text(Anchor::End, DVec2::new(end(column), row(0.0)), text);
         }
@@ -303,13 +304,13 @@ impl Table {
         let ends = [frame.min.x, end(2)].map(|x| DVec2::new(x, under));
         sheet.line(Look::THIN, ends[0], ends[1]);
         for (place, (step, texts)) in self.rows.iter().enumerate() {
-            sheet.at_step(*step);
-            for (column, text) in texts.iter().enumerate() {
-                let at = DVec2::new(end(column), row(place as f64 + 1.0));
-                sheet.text(Anchor::End, at, text);
-            }
+            sheet.step(*step, |sheet| {
+                for (column, text) in texts.iter().enumerate() {
+                    let at = DVec2::new(end(column), row(place as f64 + 1.0));
+                    sheet.text(Anchor::End, at, text);
+                }
+            });
         }
-        sheet.at_step(None);
     }
 }
 

@@ -137,62 +137,63 @@ fn in_space(figure: &Figure, sheet: &mut Sheet, frame: Frame, solved: &Solved) {
         .flat_map(|r| [sphere.center - *r, sphere.center + *r])
         .chain([ray.origin, ray.at(first), ray.at(last + room)]);
     let stage = figure.stage(frame, points);
-    sheet.cut_at(stage.frame);
-    let [origin, center, foot] =
-        [ray.origin, sphere.center, ray.at(nearest)].map(|point| stage.place(point));
+    sheet.within(stage.frame, |sheet| {
+        let [origin, center, foot] =
+            [ray.origin, sphere.center, ray.at(nearest)].map(|point| stage.place(point));
 
-    let is_hit = solved.test.roots.chosen();
-    let shape = &figure.scene.primitive(solved.id).shape;
-    let outline = Outline::of(shape, &stage.projection);
-    outline::draw(sheet, &stage, &outline, Look::OBJECT);
-    sheet.at_step(solved.starts);
-    sheet.dot(Look::RAY, origin);
-    sheet.label(frame, origin, DVec2::NEG_Y, "(x₀, y₀, z₀)");
-    let edge = stage.leaves(ray).unwrap_or(last);
-    if !figure.shows(Layer::Normals) {
-        sheet.line(Look::LINE_OF_RAY, origin, stage.place(ray.at(edge)));
-    }
+        let is_hit = solved.test.roots.chosen();
+        let shape = &figure.scene.primitive(solved.id).shape;
+        let outline = Outline::of(shape, &stage.projection);
+        outline::draw(sheet, &stage, &outline, Look::OBJECT);
+        let edge = stage.leaves(ray).unwrap_or(last);
+        sheet.step(solved.starts, |sheet| {
+            sheet.dot(Look::RAY, origin);
+            sheet.label(frame, origin, DVec2::NEG_Y, "(x₀, y₀, z₀)");
+            if !figure.shows(Layer::Normals) {
+                sheet.line(Look::LINE_OF_RAY, origin, stage.place(ray.at(edge)));
+            }
+        });
 
-    sheet.at_step(solved.step);
-    if is_hit.is_some() {
-        outline::draw(sheet, &stage, &outline, Look::HIT.outline());
-    }
-    if first < 0.0 {
-        let behind = stage.place(ray.at(first - room));
-        sheet.line(Look::LINE_OF_RAY, behind, origin);
-    }
-    sheet.arrow(
-        Look::RAY,
-        origin,
-        stage.place(ray.at(is_hit.unwrap_or(edge))),
-    );
-    for (name, root) in &roots {
-        let at = stage.place(ray.at(root.t));
-        let text = match (figure.shows(Layer::Normals), root.verdict) {
-            (true, RootVerdict::Chosen) => "(x, y, z)".into(),
-            (true, _) => continue,
-            _ if numbers => format!("{name} = {}, {}", quantity(root.t), solved.why(*root)),
-            _ => format!("{name}, {}", solved.why(*root)),
-        };
-        parabola::mark_root(sheet, *root, at);
-        sheet.label(frame, at, at - center, text);
-    }
-    if roots.is_empty() {
-        sheet.line(Look::HELP, center, foot);
-        let text = if numbers {
-            format!("t = {}, nearest", quantity(nearest))
-        } else {
-            "nearest".into()
-        };
-        sheet.label(frame, foot, foot - center, text);
-    }
+        sheet.step(solved.step, |sheet| {
+            if is_hit.is_some() {
+                outline::draw(sheet, &stage, &outline, Look::HIT.outline());
+            }
+            if first < 0.0 {
+                let behind = stage.place(ray.at(first - room));
+                sheet.line(Look::LINE_OF_RAY, behind, origin);
+            }
+            sheet.arrow(
+                Look::RAY,
+                origin,
+                stage.place(ray.at(is_hit.unwrap_or(edge))),
+            );
+            for (name, root) in &roots {
+                let at = stage.place(ray.at(root.t));
+                let text = match (figure.shows(Layer::Normals), root.verdict) {
+                    (true, RootVerdict::Chosen) => "(x, y, z)".into(),
+                    (true, _) => continue,
+                    _ if numbers => format!("{name} = {}, {}", quantity(root.t), solved.why(*root)),
+                    _ => format!("{name}, {}", solved.why(*root)),
+                };
+                parabola::mark_root(sheet, *root, at);
+                sheet.label(frame, at, at - center, text);
+            }
+            if roots.is_empty() {
+                sheet.line(Look::HELP, center, foot);
+                let text = if numbers {
+                    format!("t = {}, nearest", quantity(nearest))
+                } else {
+                    "nearest".into()
+                };
+                sheet.label(frame, foot, foot - center, text);
+            }
+        });
 
-    sheet.at_step(None);
-    radius(figure, sheet, &stage, solved, foot);
-    sheet.dot(Look::THIN, center);
-    sheet.label(frame, center, center - foot, "(a, b, c)");
-    normal(figure, sheet, &stage, solved);
-    sheet.cut_at(None);
+        radius(figure, sheet, &stage, solved, foot);
+        sheet.dot(Look::THIN, center);
+        sheet.label(frame, center, center - foot, "(a, b, c)");
+        normal(figure, sheet, &stage, solved);
+    });
 }
 
 /// r, from the center away from the ray; to the point of contact if the ray grazes the sphere.
@@ -224,10 +225,10 @@ fn normal(figure: &Figure, sheet: &mut Sheet, stage: &Stage, solved: &Solved) {
     };
     let (at, along) = (stage.place(shade.point), stage.direction(shade.normal));
     let tip = at + stage.scale * along;
-    sheet.at_step(step);
-    sheet.arrow(Look::HIT.outline(), at, tip);
-    sheet.label(stage.frame, tip, along, "N");
-    sheet.at_step(None);
+    sheet.step(step, |sheet| {
+        sheet.arrow(Look::HIT.outline(), at, tip);
+        sheet.label(stage.frame, tip, along, "N");
+    });
 }
 
 /// N = (p - center)/r with its numbers, below the drawing; gives back the frame that is left.
@@ -250,30 +251,30 @@ fn working_of_normal(
     let [drawing, lines] = frame.split_top(frame.size().y - 2.0 * sheet.line_height());
     let height = sheet.line_height();
     let place = |line: f64| DVec2::new(lines.min.x, lines.min.y + (line + 0.75) * height);
-    sheet.at_step(step);
-    let turned = if shade.back { "−" } else { "" };
-    let formula = format!("N = {turned}((x − a)/r, (y − b)/r, (z − c)/r)");
-    sheet.text(Anchor::Start, place(0.0), formula);
-    if figure.shows(Layer::Numbers) {
-        let (p, center) = (shade.point.to_array(), solved.sphere.center.to_array());
-        let r = quantity(solved.sphere.radius);
-        let parts = [0, 1, 2].map(|i| {
-            let sign = if center[i] < 0.0 { '+' } else { MINUS };
-            format!(
-                "({} {sign} {})/{r}",
-                quantity(p[i]),
-                quantity(center[i].abs())
-            )
-        });
-        let text = format!(
-            "= {turned}({}) = {}",
-            parts.join(", "),
-            coordinates(shade.normal)
-        );
-        let indent = DVec2::new(sheet.width_of("N "), 0.0);
-        sheet.text(Anchor::Start, place(1.0) + indent, text);
-    }
-    sheet.at_step(None);
+    sheet.step(step, |sheet| {
+        let turned = if shade.back { "−" } else { "" };
+        let formula = format!("N = {turned}((x − a)/r, (y − b)/r, (z − c)/r)");
+        sheet.text(Anchor::Start, place(0.0), formula);
+        if figure.shows(Layer::Numbers) {
+            let (p, center) = (shade.point.to_array(), solved.sphere.center.to_array());
+            let r = quantity(solved.sphere.radius);
+            let parts = [0, 1, 2].map(|i| {
+                let sign = if center[i] < 0.0 { '+' } else { MINUS };
+                format!(
+                    "({} {sign} {})/{r}",
+                    quantity(p[i]),
+                    quantity(center[i].abs())
+                )
+            });
+            let text = format!(
+                "= {turned}({}) = {}",
+                parts.join(", "),
+                coordinates(shade.normal)
+            );
+            let indent = DVec2::new(sheet.width_of("N "), 0.0);
+            sheet.text(Anchor::Start, place(1.0) + indent, text);
+        }
+    });
     Ok(drawing)
 }
 
@@ -292,36 +293,36 @@ fn quadratic(figure: &Figure, sheet: &mut Sheet, frame: Frame, solved: &Solved) 
         Roots::Graze(_) | Roots::Linear(_) => "one root",
         Roots::Two { .. } => "two roots",
     };
-    sheet.at_step(solved.step);
-    // 0 but for rounding is 0
-    let value = match solved.test.roots {
-        Roots::Graze(_) => 0.0,
-        _ => discriminant,
-    };
-    let texts = if numbers {
-        let Sphere { center, radius } = solved.sphere;
-        let (a, b, c) = (quantity(a), term(b), term(c));
-        vec![
-            format!(
-                "(a, b, c) = {}, r = {}",
-                coordinates(center),
-                quantity(radius)
-            ),
-            format!("y = {a}·t² {b}·t {c} … (iii)"),
-            format!("discriminant {}: {count}", quantity(value)),
-        ]
-    } else {
-        vec!["y = a·t² + b·t + c … (iii)".into(), count.into()]
-    };
-    let plot = sheet.lines(frame, &texts);
-    parabola::draw(
-        sheet,
-        plot,
-        &solved.test,
-        0.8 * solved.radius_in_t(),
-        numbers,
-    );
-    sheet.at_step(None);
+    sheet.step(solved.step, |sheet| {
+        // 0 but for rounding is 0
+        let value = match solved.test.roots {
+            Roots::Graze(_) => 0.0,
+            _ => discriminant,
+        };
+        let texts = if numbers {
+            let Sphere { center, radius } = solved.sphere;
+            let (a, b, c) = (quantity(a), term(b), term(c));
+            vec![
+                format!(
+                    "(a, b, c) = {}, r = {}",
+                    coordinates(center),
+                    quantity(radius)
+                ),
+                format!("y = {a}·t² {b}·t {c} … (iii)"),
+                format!("discriminant {}: {count}", quantity(value)),
+            ]
+        } else {
+            vec!["y = a·t² + b·t + c … (iii)".into(), count.into()]
+        };
+        let plot = sheet.lines(frame, &texts);
+        parabola::draw(
+            sheet,
+            plot,
+            &solved.test,
+            0.8 * solved.radius_in_t(),
+            numbers,
+        );
+    });
 }
 
 /// A further term of a sum.

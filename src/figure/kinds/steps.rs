@@ -63,10 +63,10 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
     crossings(figure, sheet, &plan, &walk);
     table.head(sheet);
     for (place, row) in rows.iter().enumerate() {
-        sheet.at_step(walk.visits[place].step);
-        table.row(sheet, place, row);
+        sheet.step(walk.visits[place].step, |sheet| {
+            table.row(sheet, place, row);
+        });
     }
-    sheet.at_step(None);
     Ok(in_words(&walk, &rows))
 }
 
@@ -86,8 +86,9 @@ fn crossings(figure: &Figure, sheet: &mut Sheet, plan: &Plan, walk: &Walk) {
     let above = plan.above();
     if let Some(first) = walk.visits.first() {
         // the plane through which it comes in has no event of its own
-        sheet.at_step(first.step);
-        label(sheet, first.cell.t_in, above);
+        sheet.step(first.step, |sheet| {
+            label(sheet, first.cell.t_in, above);
+        });
     }
     for (place, visit) in walk.visits.iter().enumerate() {
         if !crosses(walk, place) {
@@ -95,18 +96,19 @@ fn crossings(figure: &Figure, sheet: &mut Sheet, plan: &Plan, walk: &Walk) {
         }
         // it is crossed when the ray enters the next cell, and stands above that cell's area
         let next = walk.visits.get(place + 1);
-        sheet.at_step(next.map_or(plan.last_step(), |next| next.step));
-        let at = plan.place(visit.cell.t_out);
-        for &axis in axes(visit.cell.across) {
-            marker(sheet, axis, at);
-        }
-        // those across x on one side of the ray, the others on the other
-        let is_across_x = axes(visit.cell.across) == [0];
-        label(
-            sheet,
-            visit.cell.t_out,
-            if is_across_x { -above } else { above },
-        );
+        sheet.step(next.map_or(plan.last_step(), |next| next.step), |sheet| {
+            let at = plan.place(visit.cell.t_out);
+            for &axis in axes(visit.cell.across) {
+                marker(sheet, axis, at);
+            }
+            // those across x on one side of the ray, the others on the other
+            let is_across_x = axes(visit.cell.across) == [0];
+            label(
+                sheet,
+                visit.cell.t_out,
+                if is_across_x { -above } else { above },
+            );
+        });
     }
 }
 
@@ -253,7 +255,6 @@ impl Table {
 
     fn head(&self, sheet: &mut Sheet) {
         let em = self.em;
-        sheet.at_step(None);
         let first = self.top + 0.7 * em;
         let second = self.top + 2.3 * em;
         let at = DVec2::new;

@@ -294,28 +294,29 @@ fn draw_panel(figure: &Figure, sheet: &mut Sheet, stage: &Stage, panel: &Panel, 
     if !figure.shows(Layer::Ray) {
         return;
     }
-    sheet.cut_at(stage.frame);
-    for tested in &panel.rays {
-        let place = |t: f64| stage.place(tested.ray.at(t));
-        let Some(edge) = stage.leaves(&tested.ray) else {
-            continue;
-        };
-        let to = place(tested.t.unwrap_or(edge));
-        sheet.at_step(tested.step);
-        sheet.arrow(tested.verdict.look(), place(0.0), to);
-        if let (Verdict::InVain, Some([near, far])) = (tested.verdict, tested.bound.inside) {
-            let solid = Look {
-                dash: Dash::Solid,
-                ..tested.verdict.look()
+    sheet.within(stage.frame, |sheet| {
+        for tested in &panel.rays {
+            let place = |t: f64| stage.place(tested.ray.at(t));
+            let Some(edge) = stage.leaves(&tested.ray) else {
+                continue;
             };
-            sheet.line(solid.wide(3.5), place(near), place(far));
+            let to = place(tested.t.unwrap_or(edge));
+            sheet.step(tested.step, |sheet| {
+                sheet.arrow(tested.verdict.look(), place(0.0), to);
+                if let (Verdict::InVain, Some([near, far])) = (tested.verdict, tested.bound.inside)
+                {
+                    let solid = Look {
+                        dash: Dash::Solid,
+                        ..tested.verdict.look()
+                    };
+                    sheet.line(solid.wide(3.5), place(near), place(far));
+                }
+                if tested.verdict == Verdict::Hit {
+                    sheet.dot(Look::HIT, to);
+                }
+            });
         }
-        if tested.verdict == Verdict::Hit {
-            sheet.dot(Look::HIT, to);
-        }
-    }
-    sheet.cut_at(None);
-    sheet.at_step(None);
+    });
 }
 
 /// One volume in words.

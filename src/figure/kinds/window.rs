@@ -74,12 +74,12 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
         if let Some(eye_ray) = tree.rays.first()
             && figure.shows(Layer::Ray)
         {
-            sheet.at_step(eye_ray.ends_at[0].map(|at| records[at].step));
-            ray(figure, sheet, &stage, records, eye_ray);
+            sheet.step(eye_ray.ends_at[0].map(|at| records[at].step), |sheet| {
+                ray(figure, sheet, &stage, records, eye_ray);
+            });
         }
         sentences.push(in_words(figure, *pixel, tree));
     }
-    sheet.at_step(None);
     if figure.shows(Layer::Names) {
         scenery::names(figure, sheet, &stage);
     }
@@ -116,16 +116,17 @@ fn mark(figure: &Figure, sheet: &mut Sheet, stage: &Stage, [x, y]: [u32; 2], rec
         [left, top + 1.0],
     ];
     let corners = corners.map(|[x, y]| stage.projection.of(camera.window_point(x, y)));
-    sheet.at_step(step);
-    rim(
-        sheet,
-        stage,
-        &Rim::Points(corners.into()),
-        Look::VISITED.wide(2.0),
-    );
-    let at = stage.place(point);
-    sheet.circle(Look::VISITED.inside().full(), at, 3.0 * sheet.unit());
-    sheet.label(stage.frame, at, DVec2::NEG_Y, format!("pixel ({x}, {y})"));
+    sheet.step(step, |sheet| {
+        rim(
+            sheet,
+            stage,
+            &Rim::Points(corners.into()),
+            Look::VISITED.wide(2.0),
+        );
+        let at = stage.place(point);
+        sheet.circle(Look::VISITED.inside().full(), at, 3.0 * sheet.unit());
+        sheet.label(stage.frame, at, DVec2::NEG_Y, format!("pixel ({x}, {y})"));
+    });
 }
 
 fn ray(figure: &Figure, sheet: &mut Sheet, stage: &Stage, records: &[Record], node: &RayNode) {

@@ -66,7 +66,6 @@ impl Plan {
 
     /// The planes that are seen from their edge, those around all cells a little stronger.
     pub(in crate::figure) fn planes(&self, sheet: &mut Sheet) {
-        sheet.at_step(None);
         let [a, b] = [(self.depth + 1) % 3, (self.depth + 2) % 3];
         for (across, along) in [(a, b), (b, a)] {
             let last = self.lattice.resolution[across];
@@ -88,11 +87,12 @@ impl Plan {
     pub(in crate::figure) fn cell(&self, sheet: &mut Sheet, visit: &Visit, label: String) {
         let outline = self.lattice.cell(visit.cell.cell, &self.stage.projection);
         let look = if visit.length == 0 { EMPTY } else { LISTED };
-        sheet.at_step(visit.step);
-        outline::rim(sheet, &self.stage, &outline.rim, look);
-        if let Some(area) = self.lattice.area(visit.cell.cell, &self.stage) {
-            sheet.label_in(area, label);
-        }
+        sheet.step(visit.step, |sheet| {
+            outline::rim(sheet, &self.stage, &outline.rim, look);
+            if let Some(area) = self.lattice.area(visit.cell.cell, &self.stage) {
+                sheet.label_in(area, label);
+            }
+        });
     }
 
     /// The line of the ray through the grid, and the ray from cell to cell.
@@ -103,24 +103,27 @@ impl Plan {
             outline::line_on(sheet, &self.stage, look, &ends);
         };
         let [enters, leaves] = part.inside;
-        sheet.at_step(walk.step);
-        line(sheet, Look::LINE_OF_RAY, [enters, leaves]);
-        line(sheet, Look::RAY, [part.from, enters]);
         let start = self.place(part.from);
-        let middle = start.lerp(self.place(enters), 0.5);
-        if self.stage.frame.contains(middle) {
-            sheet.label(self.stage.frame, middle, self.above(), "R");
-        }
-        for visit in &walk.visits {
-            sheet.at_step(visit.step);
-            let to = visit.cell.t_out.min(part.ends);
-            line(sheet, Look::RAY, [visit.cell.t_in.min(to), to]);
-        }
-        sheet.at_step(self.last_step);
-        let ends = [start, self.place(part.ends)];
-        if let Some([from, to]) = self.stage.frame.cut_line(ends) {
-            sheet.arrow(Look::RAY, from, to);
-        }
+        sheet.step(walk.step, |sheet| {
+            line(sheet, Look::LINE_OF_RAY, [enters, leaves]);
+            line(sheet, Look::RAY, [part.from, enters]);
+            let middle = start.lerp(self.place(enters), 0.5);
+            if self.stage.frame.contains(middle) {
+                sheet.label(self.stage.frame, middle, self.above(), "R");
+            }
+            for visit in &walk.visits {
+                sheet.step(visit.step, |sheet| {
+                    let to = visit.cell.t_out.min(part.ends);
+                    line(sheet, Look::RAY, [visit.cell.t_in.min(to), to]);
+                });
+            }
+        });
+        sheet.step(self.last_step, |sheet| {
+            let ends = [start, self.place(part.ends)];
+            if let Some([from, to]) = self.stage.frame.cut_line(ends) {
+                sheet.arrow(Look::RAY, from, to);
+            }
+        });
     }
 
     /// The step at which the ray ends.

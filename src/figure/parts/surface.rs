@@ -79,20 +79,21 @@ pub(in crate::figure) fn draw(
     if figure.shows(Layer::Secondary) && !met.sends_on() {
         return;
     }
-    sheet.at_step(met.record.step);
-    let at = stage.place(met.shade.point);
-    if figure.shows(Layer::Normals) {
-        let along = stage.direction(met.shade.normal);
-        let reach = NORMAL * sheet.unit() * along;
-        sheet.arrow(Look::THIN.wide(1.25), at, at + reach);
-        sheet.label(stage.frame, at + reach, along, "N");
-        if met.refraction.is_some_and(|of| of.direction.is_some()) {
-            sheet.line(Look::HELP, at, at - reach);
+    sheet.step(met.record.step, |sheet| {
+        let at = stage.place(met.shade.point);
+        if figure.shows(Layer::Normals) {
+            let along = stage.direction(met.shade.normal);
+            let reach = NORMAL * sheet.unit() * along;
+            sheet.arrow(Look::THIN.wide(1.25), at, at + reach);
+            sheet.label(stage.frame, at + reach, along, "N");
+            if met.refraction.is_some_and(|of| of.direction.is_some()) {
+                sheet.line(Look::HELP, at, at - reach);
+            }
         }
-    }
-    if figure.shows(Layer::Angles) {
-        angles(sheet, stage, &met);
-    }
+        if figure.shows(Layer::Angles) {
+            angles(sheet, stage, &met);
+        }
+    });
 }
 
 fn angles(sheet: &mut Sheet, stage: &Stage, met: &Met) {

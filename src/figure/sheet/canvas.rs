@@ -415,9 +415,11 @@ mod tests {
         let drawn = |up_to| {
             let mut sheet = Sheet::new(Width::Book, 100.0);
             for step in [7, 3] {
-                sheet.at_step(step);
                 let place = DVec2::new(300.0, 50.0);
-                sheet.label(sheet.body(), place, DVec2::X, format!("step {step}"));
+                let text = format!("step {step}");
+                sheet.step(step, |sheet| {
+                    sheet.label(sheet.body(), place, DVec2::X, text);
+                });
             }
             let rendition = Rendition {
                 up_to,

@@ -50,8 +50,9 @@ pub(in crate::figure) fn place_labels(sheet: &mut Sheet) {
         obstacles.frames.push(place.frame);
         if let Some([from, to]) = place.leader {
             obstacles.lines.add([from, to]);
-            sheet.at_step(label.step);
-            sheet.path(Look::THIN.wide(0.75), vec![from, to]);
+            sheet.step(label.step, |sheet| {
+                sheet.path(Look::THIN.wide(0.75), vec![from, to]);
+            });
         }
         let middle = letters_frame(0.0, 0.0, 0.0, label.size);
         sheet.words.push(Words {
@@ -62,7 +63,6 @@ pub(in crate::figure) fn place_labels(sheet: &mut Sheet) {
             text: label.text,
         });
     }
-    sheet.at_step(None);
 }
 
 /// The best place for a label; none for one of a crowd of names that has no free place beside its object.

@@ -154,15 +154,28 @@ impl Sheet {
         }
     }
 
-    /// What is drawn from now on is made by this step of the trace.
-    pub(in crate::figure) fn at_step(&mut self, step: impl Into<Option<u32>>) {
-        self.step = step.into();
+    /// What is drawn inside is made by this step of the trace; after it, what was before is valid again.
+    pub(in crate::figure) fn step<T>(
+        &mut self,
+        step: impl Into<Option<u32>>,
+        draw: impl FnOnce(&mut Self) -> T,
+    ) -> T {
+        let before = std::mem::replace(&mut self.step, step.into());
+        let drawn = draw(self);
+        self.step = before;
+        drawn
     }
 
-    /// From now on straight lines end at a frame, and points and labels of points outside of it are left out; or
-    /// no longer.
-    pub(in crate::figure) fn cut_at(&mut self, frame: impl Into<Option<Frame>>) {
-        self.cut = frame.into();
+    /// Inside, straight lines end at a frame, and points and labels of points outside of it are left out.
+    pub(in crate::figure) fn within<T>(
+        &mut self,
+        frame: Frame,
+        draw: impl FnOnce(&mut Self) -> T,
+    ) -> T {
+        let before = self.cut.replace(frame);
+        let drawn = draw(self);
+        self.cut = before;
+        drawn
     }
 
     fn is_cut_off(&self, at: DVec2) -> bool {
@@ -438,18 +451,18 @@ mod tests {
             max: DVec2::new(200.0, 200.0),
         };
         let (inside, outside) = (DVec2::new(150.0, 150.0), DVec2::new(150.0, 250.0));
-        sheet.cut_at(frame);
-        sheet.line(Look::RAY, inside, outside);
-        sheet.dot(Look::RAY, outside);
-        sheet.label(frame, outside, DVec2::X, "p");
-        let [Mark { form, .. }] = sheet.marks.as_slice() else {
-            panic!("{:?}", sheet.marks);
-        };
-        let points = vec![inside, DVec2::new(150.0, 200.0)];
-        let closed = false;
-        assert_eq!(*form, Form::Path { points, closed });
-        assert!(sheet.labels.is_empty());
-        sheet.cut_at(None);
+        sheet.within(frame, |sheet| {
+            sheet.line(Look::RAY, inside, outside);
+            sheet.dot(Look::RAY, outside);
+            sheet.label(frame, outside, DVec2::X, "p");
+            let [Mark { form, .. }] = sheet.marks.as_slice() else {
+                panic!("{:?}", sheet.marks);
+            };
+            let points = vec![inside, DVec2::new(150.0, 200.0)];
+            let closed = false;
+            assert_eq!(*form, Form::Path { points, closed });
+            assert!(sheet.labels.is_empty());
+        });
         sheet.dot(Look::RAY, outside);
         assert_eq!(sheet.marks.len(), 2);
     }

@@ -22,7 +22,6 @@ pub(super) fn draw(
     let Tested { ray, polygon, .. } = tested;
     let (test, step) = tested.plane;
     let normal = test.plane.normal;
-    sheet.at_step(step);
     let is_beside = test.verdict == PlaneVerdict::ParallelBeside;
     let numerator = if is_beside {
         quantity(test.numerator)
@@ -34,14 +33,12 @@ pub(super) fn draw(
     } else {
         "no t in (v): the ray lies in the plane"
     };
-    let drawing = sheet.lines(
-        frame,
-        &[
-            "A·Δx + B·Δy + C·Δz = 0".into(),
-            format!("A·x₀ + B·y₀ + C·z₀ + D = {numerator}"),
-            so.into(),
-        ],
-    );
+    let equations = [
+        "A·Δx + B·Δy + C·Δz = 0".into(),
+        format!("A·x₀ + B·y₀ + C·z₀ + D = {numerator}"),
+        so.into(),
+    ];
+    let drawing = sheet.step(step, |sheet| sheet.lines(frame, &equations));
 
     // the foot of the ray's origin on the plane, and of the last point of the ray that is drawn
     let down = -test.numerator * normal;
@@ -59,33 +56,33 @@ pub(super) fn draw(
         middle + normal,
     ];
     let stage = figure.stage(drawing, polygon.vertices().chain(points));
-    sheet.cut_at(drawing);
-    let place = |point| stage.place(point);
-    let seen = |point| stage.projection.of(point);
+    sheet.within(drawing, |sheet| {
+        let place = |point| stage.place(point);
+        let seen = |point| stage.projection.of(point);
 
-    sheet.at_step(None);
-    let rim = Rim::Points(polygon.vertices().map(seen).collect());
-    outline::rim(sheet, &stage, &rim, Look::OBJECT);
-    let tip = place(middle + normal);
-    sheet.arrow(Look::THIN, place(middle), tip);
-    sheet.label(drawing, tip, tip - place(middle), "(A, B, C)");
-    sheet.at_step(tested.starts);
-    sheet.arrow(Look::RAY, place(ray.origin), place(end));
-    sheet.dot(Look::RAY, place(ray.origin));
-    sheet.label(drawing, place(ray.origin), DVec2::NEG_Y, "COP");
-    let third = place(ray.origin).lerp(place(end), 0.3);
-    sheet.label(drawing, third, DVec2::NEG_Y, "R");
-    sheet.at_step(step);
-    if is_beside {
-        let feet = [ray.origin + down, end + down].map(place);
-        sheet.line(Look::LINE_OF_RAY, feet[0], feet[1]);
-        sheet.line(Look::HELP, place(ray.origin), feet[0]);
-        sheet.line(Look::HELP, place(end), feet[1]);
-        let half = place(ray.origin).midpoint(feet[0]);
-        sheet.label(drawing, half, DVec2::NEG_X, numerator);
-    }
-    sheet.at_step(None);
-    sheet.cut_at(None);
+        let rim = Rim::Points(polygon.vertices().map(seen).collect());
+        outline::rim(sheet, &stage, &rim, Look::OBJECT);
+        let tip = place(middle + normal);
+        sheet.arrow(Look::THIN, place(middle), tip);
+        sheet.label(drawing, tip, tip - place(middle), "(A, B, C)");
+        sheet.step(tested.starts, |sheet| {
+            sheet.arrow(Look::RAY, place(ray.origin), place(end));
+            sheet.dot(Look::RAY, place(ray.origin));
+            sheet.label(drawing, place(ray.origin), DVec2::NEG_Y, "COP");
+            let third = place(ray.origin).lerp(place(end), 0.3);
+            sheet.label(drawing, third, DVec2::NEG_Y, "R");
+        });
+        sheet.step(step, |sheet| {
+            if is_beside {
+                let feet = [ray.origin + down, end + down].map(place);
+                sheet.line(Look::LINE_OF_RAY, feet[0], feet[1]);
+                sheet.line(Look::HELP, place(ray.origin), feet[0]);
+                sheet.line(Look::HELP, place(end), feet[1]);
+                let half = place(ray.origin).midpoint(feet[0]);
+                sheet.label(drawing, half, DVec2::NEG_X, numerator);
+            }
+        });
+    });
     let distance = quantity(test.numerator.abs());
     if is_beside {
         format!(

@@ -26,50 +26,52 @@ pub(super) fn draw(figure: &Figure, sheet: &mut Sheet, frame: Frame, tested: &Te
     let points = polygon.vertices().chain(corners);
     let points = points.chain([DVec3::ZERO, ray.origin, p, axes::foot(along, reach)]);
     let stage = figure.stage(frame.wider(-sheet.letters), points);
-    sheet.cut_at(frame);
-    let shape = |of: &mut dyn Iterator<Item = DVec3>| {
-        Rim::Points(of.map(|point| stage.projection.of(point)).collect())
-    };
+    sheet.within(frame, |sheet| {
+        let shape = |of: &mut dyn Iterator<Item = DVec3>| {
+            Rim::Points(of.map(|point| stage.projection.of(point)).collect())
+        };
 
-    let rim = shape(&mut polygon.vertices());
-    if figure.shows(Layer::Projection) {
-        axes::draw_plane(sheet, &stage, along, reach);
-        axes::draw(sheet, &stage, along, reach);
-    }
-    outline::rim(sheet, &stage, &rim, Look::OBJECT);
-
-    sheet.at_step(tested.starts);
-    let (from, to) = (stage.place(ray.origin), stage.place(p));
-    sheet.dot(Look::RAY, from);
-    sheet.label(frame, from, from - to, "COP");
-    sheet.label(frame, from.lerp(to, 0.5), (from - to).perp(), "R");
-
-    sheet.at_step(plane_step);
-    sheet.arrow(Look::RAY, from, to);
-    if !test.inside {
-        // it goes on, below the plane
-        sheet.line(Look::LINE_OF_RAY, to, stage.place(beyond));
-    }
-    sheet.label(frame, to, DVec2::new(1.0, -0.4), "p");
-
-    sheet.at_step(step);
-    if figure.shows(Layer::Projection) {
-        let help = Look::HELP.wide(0.75);
-        for vertex in polygon.vertices() {
-            let foot = axes::foot(along, vertex);
-            sheet.line(help, stage.place(vertex), stage.place(foot));
+        let rim = shape(&mut polygon.vertices());
+        if figure.shows(Layer::Projection) {
+            axes::draw_plane(sheet, &stage, along, reach);
+            axes::draw(sheet, &stage, along, reach);
         }
-        let shadow = shape(&mut polygon.vertices().map(|vertex| axes::foot(along, vertex)));
-        outline::rim(sheet, &stage, &shadow, Look::OBJECT.wide(1.0));
-        let foot = stage.place(axes::foot(along, p));
-        sheet.line(Look::HELP.wide(1.5), to, foot);
-        mark(sheet, test.inside, foot);
-        sheet.label(frame, foot, DVec2::new(1.0, 0.4), "p′");
-    }
-    if test.inside {
-        outline::rim(sheet, &stage, &rim, Look::HIT.outline());
-    }
-    mark(sheet, test.inside, to);
-    sheet.at_step(None);
-    sheet.cut_at(None);
+        outline::rim(sheet, &stage, &rim, Look::OBJECT);
+
+        let (from, to) = (stage.place(ray.origin), stage.place(p));
+        sheet.step(tested.starts, |sheet| {
+            sheet.dot(Look::RAY, from);
+            sheet.label(frame, from, from - to, "COP");
+            sheet.label(frame, from.lerp(to, 0.5), (from - to).perp(), "R");
+        });
+
+        sheet.step(plane_step, |sheet| {
+            sheet.arrow(Look::RAY, from, to);
+            if !test.inside {
+                // it goes on, below the plane
+                sheet.line(Look::LINE_OF_RAY, to, stage.place(beyond));
+            }
+            sheet.label(frame, to, DVec2::new(1.0, -0.4), "p");
+        });
+
+        sheet.step(step, |sheet| {
+            if figure.shows(Layer::Projection) {
+                let help = Look::HELP.wide(0.75);
+                for vertex in polygon.vertices() {
+                    let foot = axes::foot(along, vertex);
+                    sheet.line(help, stage.place(vertex), stage.place(foot));
+                }
+                let shadow = shape(&mut polygon.vertices().map(|vertex| axes::foot(along, vertex)));
+                outline::rim(sheet, &stage, &shadow, Look::OBJECT.wide(1.0));
+                let foot = stage.place(axes::foot(along, p));
+                sheet.line(Look::HELP.wide(1.5), to, foot);
+                mark(sheet, test.inside, foot);
+                sheet.label(frame, foot, DVec2::new(1.0, 0.4), "p′");
+            }
+            if test.inside {
+                outline::rim(sheet, &stage, &rim, Look::HIT.outline());
+            }
+            mark(sheet, test.inside, to);
+        });
+    });
 }

@@ -23,11 +23,13 @@ pub(super) fn draw(sheet: &mut Sheet, frame: Frame, tested: &Tested) {
     let height = sheet.line_height();
     let [upper, rest] = frame.split_top(height);
     let [lower, panel] = rest.split_top(1.4 * height);
-    sheet.at_step(tested.plane.1);
-    let drop = format!("|{name}| = {largest} is the largest: drop {letter}");
-    sheet.lines(upper, &[drop]);
-    sheet.at_step(step);
-    sheet.lines(lower, &[verdict(&test)]);
+    sheet.step(tested.plane.1, |sheet| {
+        let drop = format!("|{name}| = {largest} is the largest: drop {letter}");
+        sheet.lines(upper, &[drop]);
+    });
+    sheet.step(step, |sheet| {
+        sheet.lines(lower, &[verdict(&test)]);
+    });
 
     let reach = tested.reach();
     let p = test.projected;
@@ -47,32 +49,34 @@ pub(super) fn draw(sheet: &mut Sheet, frame: Frame, tested: &Tested) {
     );
     let place = |at: DVec2| stage.place(axes::on_plane(axis, at));
 
-    sheet.at_step(None);
     axes::draw_plane(sheet, &stage, axis, reach);
     sheet.polygon(Look::OBJECT, outline.iter().map(|at| place(*at)).collect());
     let first = tested.edges.first().map_or(step, |(_, step)| *step);
-    sheet.at_step(first);
-    sheet.arrow(Look::RAY.wide(1.25), place(p), place(end));
-    let along = place(end) - place(p);
-    sheet.label(panel, place(p), -along, "p′");
-    let counted = tested.edges.iter().filter(|(edge, _)| edge.counts);
-    let mut crossings: Vec<(DVec2, u32)> = Vec::new();
-    for (edge, step) in counted {
-        sheet.at_step(*step);
-        let line = Look::VISITED.outline().wide(3.0);
-        sheet.line(line, place(edge.from), place(edge.to));
-        crossings.extend(level_with(edge, p).map(|at| (at, *step)));
-    }
-    // counted from p′ on, not in the order of the edges
-    crossings.sort_by(|(a, _), (b, _)| a.x.total_cmp(&b.x));
-    for (number, (at, step)) in (1..).zip(crossings) {
-        sheet.at_step(step);
-        sheet.dot(Look::VISITED, place(at));
-        sheet.label(panel, place(at), along + along.perp(), format!("{number}"));
-    }
-    sheet.at_step(step);
-    mark(sheet, test.inside, place(p));
-    sheet.at_step(None);
+    sheet.step(first, |sheet| {
+        sheet.arrow(Look::RAY.wide(1.25), place(p), place(end));
+        let along = place(end) - place(p);
+        sheet.label(panel, place(p), -along, "p′");
+        let counted = tested.edges.iter().filter(|(edge, _)| edge.counts);
+        let mut crossings: Vec<(DVec2, u32)> = Vec::new();
+        for (edge, step) in counted {
+            sheet.step(*step, |sheet| {
+                let line = Look::VISITED.outline().wide(3.0);
+                sheet.line(line, place(edge.from), place(edge.to));
+                crossings.extend(level_with(edge, p).map(|at| (at, *step)));
+            });
+        }
+        // counted from p′ on, not in the order of the edges
+        crossings.sort_by(|(a, _), (b, _)| a.x.total_cmp(&b.x));
+        for (number, (at, step)) in (1..).zip(crossings) {
+            sheet.step(step, |sheet| {
+                sheet.dot(Look::VISITED, place(at));
+                sheet.label(panel, place(at), along + along.perp(), format!("{number}"));
+            });
+        }
+    });
+    sheet.step(step, |sheet| {
+        mark(sheet, test.inside, place(p));
+    });
 }
 
 /// The point of an edge that the half-line from p′ runs through; none on an edge that is parallel to it.
@@ -90,32 +94,32 @@ pub(super) fn draw_two(sheet: &mut Sheet, frame: Frame, tested: &Tested, other: 
     let normal = tested.plane.0.plane.normal;
     let half = 0.5 * frame.size().y;
     let parts = [test.dropped, other].into_iter().zip(frame.split_top(half));
-    sheet.at_step(step);
-    let panels: Vec<(Axis, Frame, Stage)> = parts
-        .map(|(axis, part)| {
-            let (letter, name) = (axes::letter(axis), axes::coefficient(axis));
-            let share = quantity(axis.of(normal).abs());
-            let text = format!("{letter} dropped: |{name}| = {share} of the area");
-            let panel = sheet.lines(part, &[text]);
-            let feet = tested.polygon.vertices().map(|v| axes::foot(axis, v));
-            (
-                axis,
-                panel,
-                Stage::fitted(axes::view_along(axis), panel, feet),
-            )
-        })
-        .collect();
-    let scales = panels.iter().map(|(_, _, stage)| stage.scale);
-    let scale = scales.fold(f64::INFINITY, f64::min);
-    for (axis, panel, mut stage) in panels {
-        stage.scale = scale;
-        let place = |point| stage.place(axes::foot(axis, point));
-        sheet.polygon(Look::OBJECT, tested.polygon.vertices().map(place).collect());
-        let p = place(test.point);
-        mark(sheet, test.inside, p);
-        sheet.label(panel, p, DVec2::X, "p′");
-    }
-    sheet.at_step(None);
+    sheet.step(step, |sheet| {
+        let panels: Vec<(Axis, Frame, Stage)> = parts
+            .map(|(axis, part)| {
+                let (letter, name) = (axes::letter(axis), axes::coefficient(axis));
+                let share = quantity(axis.of(normal).abs());
+                let text = format!("{letter} dropped: |{name}| = {share} of the area");
+                let panel = sheet.lines(part, &[text]);
+                let feet = tested.polygon.vertices().map(|v| axes::foot(axis, v));
+                (
+                    axis,
+                    panel,
+                    Stage::fitted(axes::view_along(axis), panel, feet),
+                )
+            })
+            .collect();
+        let scales = panels.iter().map(|(_, _, stage)| stage.scale);
+        let scale = scales.fold(f64::INFINITY, f64::min);
+        for (axis, panel, mut stage) in panels {
+            stage.scale = scale;
+            let place = |point| stage.place(axes::foot(axis, point));
+            sheet.polygon(Look::OBJECT, tested.polygon.vertices().map(place).collect());
+            let p = place(test.point);
+            mark(sheet, test.inside, p);
+            sheet.label(panel, p, DVec2::X, "p′");
+        }
+    });
 }
 
 #[cfg(test)]
