@@ -226,7 +226,7 @@ fn a_broken_directive_fails_the_build_with_chapter_and_line() {
         ("{{#raystep 01-ball/hti}}", "did you mean 01-ball/hit?"),
         ("{{#raystep 1-ball/hit}}", "did you mean 01-ball/hit?"),
         ("{{#raystep hit}}", "as in 12-grid/walk"),
-        ("{{#raystep}}", "a figure is to be named"),
+        ("{{#raystep}}", "no figure is named"),
         (
             "{{#raystep-vlaue 01-ball/hit t}}",
             "did you mean raystep-value?",
@@ -238,14 +238,14 @@ fn a_broken_directive_fails_the_build_with_chapter_and_line() {
         ),
         (
             "{{#raystep-value 01-ball/hit sphere_test[7].a}}",
-            "the places are 0 to 0",
+            "the indices are 0 to 0",
         ),
         (
             "{{#raystep-value 01-ball/hit sphere_test}}",
             "sphere_test.count",
         ),
         ("{{#raystep 01-ball/hit stpe=3}}", "step=N"),
-        ("{{#raystep 01-ball/hit step=x}}", "no whole number"),
+        ("{{#raystep 01-ball/hit step=x}}", "is not a whole number"),
         (
             "{{#raystep-log 01-ball/hit only=sphere}}",
             "did you mean sphere_test?",

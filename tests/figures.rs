@@ -236,12 +236,12 @@ fn forward_tracing_counts_the_paths_that_reach_the_eye_and_the_wasted_ones() {
     check_text(&texts, &format!("reaches the eye: {}", arrived.len()));
     let wasted = shown.len() - arrived.len();
     check_text(&texts, &format!("wasted: {wasted}"));
-    // the figure's specification asks for the first 30; the others were sought out
+    // the figure's specification asks for the first 30; the others arrive at its pixels
     let sought = shown.iter().filter(|path| **path >= 30).count();
     assert_eq!(shown.len(), 30 + sought);
     check_text(
         &texts,
-        &format!("The first 30 of 100 000 paths of light, and {sought} sought out"),
+        &format!("The first 30 of 100 000 paths of light, and {sought} more that arrive"),
     );
     for label in ["aperture", "window", "COP", "lamp"] {
         check_text(&texts, label);
@@ -258,7 +258,7 @@ fn the_density_of_photons_is_that_of_the_gathered_event() {
     let gathered = gathered.unwrap();
     let radius = gathered.radius.unwrap();
     assert_eq!(gathered.count, 19);
-    check_text(&texts, "Of the 20 nearest photons 19 count");
+    check_text(&texts, "Of the 20 nearest photons 19 are summed");
     check_text(&texts, &format!("r = {radius:.4}"));
     // all photons are white: 19 of 100 W / 3000 each, over the disc
     let density = 19.0 * 100.0 / 3000.0 / (std::f64::consts::PI * radius * radius);
@@ -309,7 +309,7 @@ fn a_figure_that_follows_light_says_what_it_lacks() {
     };
     let error = wrong(&|spec| spec.scene = "scene.json".into());
     assert!(error.contains("figures.forward.scene"), "{error}");
-    assert!(error.contains("has a colour and no power"), "{error}");
+    assert!(error.contains("has a colour but no power"), "{error}");
     let error = wrong(&|spec| spec.light.paths = 0);
     assert!(error.contains("figures.forward.light"), "{error}");
     let error = wrong(&|spec| spec.light.aperture = Some(-1.0));

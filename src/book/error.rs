@@ -59,14 +59,14 @@ impl fmt::Display for BookError {
         match self {
             Self::Protocol(why) => write!(
                 f,
-                "what mdBook handed over cannot be read: {}\n  this verb is called by mdBook: put \
+                "the input from mdBook cannot be read: {}\n  this verb is called by mdBook: put \
                  [preprocessor.raystep] into book.toml and run mdbook build",
                 printable(why)
             ),
             Self::Settings(why) => write!(
                 f,
                 "book.toml, at preprocessor.raystep: {}\n  it may have \"lessons\", the folder of the lessons, \
-                 counted from book.toml, and \"allow-outside\", true if their scenes may lie outside of it",
+                 relative to book.toml, and \"allow-outside\", true if their scenes may be outside it",
                 printable(why)
             ),
             Self::Lessons(error) => match &**error {
@@ -77,7 +77,7 @@ impl fmt::Display for BookError {
                     write!(
                         f,
                         "book.toml, at preprocessor.raystep.lessons: {}: {why}\n  name the folder of the lessons, \
-                         counted from book.toml; a lesson is a folder with a lesson.json",
+                         relative to book.toml; a lesson is a folder with a lesson.json",
                         printable(folder)
                     )
                 }

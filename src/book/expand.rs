@@ -63,7 +63,7 @@ impl<'a> Expander<'a> {
         let (name, words) = directive
             .words
             .split_first()
-            .ok_or("a figure is to be named\n  as in {{#raystep 12-grid/walk}}")?;
+            .ok_or("no figure is named\n  as in {{#raystep 12-grid/walk}}")?;
         let named = self.named(name)?;
         if asks == Asks::Value {
             return in_prose(&named, words);
@@ -71,7 +71,7 @@ impl<'a> Expander<'a> {
         let goes_on = directive
             .alone
             .as_ref()
-            .ok_or("it makes a block\n  give it a line of its own")?;
+            .ok_or("this directive expands to a block\n  put it on a line of its own")?;
         let html = match asks {
             Asks::Figure => self.figure(&named, words, chapter)?,
             Asks::Log => log(&named, words)?,
@@ -86,8 +86,8 @@ impl<'a> Expander<'a> {
             let known = self.library.figures();
             let known: Vec<String> = known.iter().map(ToString::to_string).collect();
             match nearest_name(name, known.iter().map(String::as_str)) {
-                Some(near) => format!("{} is no figure\n  did you mean {near}?", quoted(name)),
-                None => format!("{} is no figure\n  {why}", quoted(name)),
+                Some(near) => format!("{} is not a figure\n  did you mean {near}?", quoted(name)),
+                None => format!("{} is not a figure\n  {why}", quoted(name)),
             }
         })?;
         let (lesson, spec) = self
@@ -177,14 +177,14 @@ fn told(error: &LessonError) -> String {
 
 fn first<'a>(named: &'a Named) -> Result<&'a Traced, String> {
     let first = named.traced.first();
-    first.ok_or_else(|| "this figure has no trace\n  name another one".into())
+    first.ok_or_else(|| "this figure has no trace\n  name another figure".into())
 }
 
 /// A value in running text.
 fn in_prose(named: &Named, words: &[String]) -> Result<String, String> {
     let [path] = words else {
         return Err(
-            "a value is named by one path\n  as in {{#raystep-value 12-grid/walk cell.count}}"
+            "exactly one path names a value\n  as in {{#raystep-value 12-grid/walk cell.count}}"
                 .into(),
         );
     };
@@ -209,7 +209,7 @@ fn asks(word: &str) -> Result<Asks, String> {
 fn unknown_option(word: &str, known: &[&str]) -> String {
     let known = known.join(", ");
     format!(
-        "{} is none of its options\n  they are {known}",
+        "{} is not one of its options\n  they are {known}",
         quoted(word)
     )
 }
@@ -218,7 +218,7 @@ fn whole_number(option: &str, text: &str) -> Result<u32, String> {
     let number = text.parse();
     number.map_err(|_| {
         format!(
-            "{option}={} is no whole number\n  as in {option}=12",
+            "{option}={} is not a whole number\n  as in {option}=12",
             quoted(text)
         )
     })
@@ -351,7 +351,9 @@ fn table(named: &Named, words: &[String]) -> Result<String, String> {
         });
         format!("<tr>{}</tr>", cells.collect::<String>())
     };
-    let (head, body) = rows.split_first().ok_or("there is nothing to compare")?;
+    let (head, body) = rows
+        .split_first()
+        .ok_or("there are no strategies to compare")?;
     let body: String = body.iter().map(|cells| row(cells, "td")).collect();
     Ok(format!(
         "<div class=\"table-wrapper\"><table class=\"raystep-compare\"><caption>{}</caption><thead>{}</thead><tbody>{body}</tbody></table></div>",

@@ -98,7 +98,7 @@ pub fn preprocess(input: impl Read) -> Result<Preprocessed, BookError> {
     if escapes && !before.iter().any(|name| name == "links") {
         notes.push(
             "book.toml: add before = [\"links\"] to [preprocessor.raystep]: mdBook's own preprocessor takes \
-             the backslash from \\{{#raystep …}} otherwise"
+             the backslash from \\{{#raystep …}}"
                 .into(),
         );
     }
@@ -147,7 +147,7 @@ fn version_note(context: &Context) -> Option<String> {
     };
     (series(&context.mdbook_version) != series(MDBOOK_VERSION)).then(|| {
         format!(
-            "this raystep was made for mdBook {MDBOOK_VERSION}, and is called by {}: it may not fit",
+            "this raystep was made for mdBook {MDBOOK_VERSION}, and is called by {}: it may not work",
             context.mdbook_version
         )
     })

@@ -110,14 +110,14 @@ fn next<'a>(at: &'a Value, step: &str) -> Result<&'a Value, String> {
             let found = step.parse::<usize>().ok().and_then(|place| list.get(place));
             found.ok_or_else(|| match list.len().checked_sub(1) {
                 Some(last) => format!(
-                    "there is no [{}]\n  the places are 0 to {last}",
+                    "there is no [{}]\n  the indices are 0 to {last}",
                     shortened(step, 40)
                 ),
                 None => "the list is empty".into(),
             })
         }
         _ => Err(format!(
-            "there is nothing below, and so no {}\n  shorten the path",
+            "this value has no parts, so no {}\n  shorten the path",
             quoted(step)
         )),
     }

@@ -28,10 +28,10 @@ pub(crate) struct Args {
     /// What is to be done.
     #[command(subcommand)]
     pub(crate) verb: Verb,
-    /// Neither notes nor progress; errors remain
+    /// Print no notes and no progress; errors are still printed
     #[arg(long, global = true, help_heading = "Messages")]
     pub(crate) quiet: bool,
-    /// Colours: in a terminal unless NO_COLOR is set (auto), always, or never
+    /// When to use colours: in a terminal unless NO_COLOR is set (auto), always, or never
     #[arg(long, global = true, help_heading = "Messages")]
     #[arg(value_enum, default_value = "auto")]
     #[arg(
@@ -102,26 +102,26 @@ pub(crate) enum Verb {
     Trace(TraceArgs),
     /// Write the picture as PNG.
     Render(RenderArgs),
-    /// Compare what the strategies cost on the same rays, or what the kinds of ray tracing bring.
+    /// Compare the cost of the strategies on the same rays, or the five kinds of ray tracing.
     Compare(CompareArgs),
     /// Draw a figure of a lesson as SVG.
     Figure(FigureArgs),
-    /// Draw all figures of the lessons, or check that those that are there are up to date.
+    /// Draw all figures of the lessons, or check that existing ones are up to date.
     Figures(FiguresArgs),
-    /// Rewrite a scene in NFF, OBJ or JSON, or the scene of a log, as JSON.
+    /// Write a scene in NFF, OBJ or JSON, or the scene of a log, as JSON.
     Convert(ConvertArgs),
     /// Print the JSON Schema of scenes, lessons or logs.
     Schema(SchemaArgs),
     /// Print completions for a shell.
     Completions(CompletionsArgs),
-    /// Follow the directives of an mdBook; mdBook calls this.
+    /// Expand the directives in an mdBook; mdBook calls this.
     Mdbook(MdbookArgs),
 }
 
 /// What may be read.
 #[derive(Debug, Default, ClapArgs)]
 pub(crate) struct Reading {
-    /// Read mesh files that lie outside of the scene's folder
+    /// Allow mesh files outside the scene's folder
     #[arg(long)]
     pub(crate) allow_outside: bool,
 }
@@ -131,8 +131,8 @@ pub(crate) struct Reading {
 #[derive(Debug, Default, ClapArgs)]
 #[command(next_help_heading = "Strategy")]
 pub(crate) struct Tracing {
-    /// Which objects each ray is tested against [default: hierarchy to render, unless a heat map; for a pixel or a
-    /// log exhaustive, and beyond 1000 objects hierarchy]
+    /// Which objects each ray is tested against [default: to render hierarchy, or exhaustive for a heat map; for a
+    /// pixel or a log exhaustive, or hierarchy with more than 1000 objects]
     #[arg(long, value_parser = one_of::<StrategyName>(), value_name = "NAME")]
     pub(crate) strategy: Option<StrategyName>,
     /// How the tree is built, for hierarchy and heap [default: bottom-up]
@@ -151,7 +151,7 @@ pub(crate) struct Tracing {
     #[arg(long, value_name = "D", value_parser = density, conflicts_with = "grid")]
     #[arg(allow_hyphen_values = true)]
     pub(crate) density: Option<f64>,
-    /// By what objects are put into cells, for grid [default: objects]
+    /// How objects are assigned to cells, for grid: by their shape or by their box [default: objects]
     #[arg(long, value_parser = one_of::<Lists>(), value_name = "NAME")]
     pub(crate) lists: Option<Lists>,
     /// Test an object in every cell that lists it, for grid
@@ -195,16 +195,16 @@ pub(crate) struct Casting {
     /// Which rays are cast [default: hybrid-light]
     #[arg(long, value_parser = one_of::<Transport>(), value_name = "NAME")]
     pub(crate) transport: Option<Transport>,
-    /// Size of the picture, in place of the scene's
+    /// Size of the picture; replaces the scene's
     #[arg(long, value_name = "W,H", value_parser = pixels)]
     pub(crate) pixels: Option<[u32; 2]>,
-    /// Largest depth of a ray, in place of the scene's; eye rays have depth 1
+    /// Largest depth of a ray; replaces the scene's; eye rays have depth 1
     #[arg(long, value_name = "N")]
     pub(crate) max_depth: Option<u32>,
-    /// Rays that one pixel may take; beyond it the command ends with an error [default: 1000000]
+    /// The most rays of one pixel; with more the command ends with an error [default: 1000000]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
     pub(crate) max_rays: Option<u64>,
-    /// Opaque objects show only their front
+    /// Opaque objects are visible only from the front
     #[arg(long)]
     pub(crate) one_sided: bool,
     /// Where the eye rays pass a pixel [default: centres]
@@ -218,24 +218,24 @@ pub(crate) struct Casting {
     #[arg(help_heading = "Light")]
     #[arg(long, value_name = "N")]
     pub(crate) paths: Option<u64>,
-    /// Paths from the eye for each pixel, and as many from the lights, for hybrid-connected [default: 4]
+    /// Paths from the eye for each pixel, and the same number from the lights, for hybrid-connected [default: 4]
     #[arg(help_heading = "Light")]
     #[arg(long, value_name = "N")]
     pub(crate) samples: Option<u32>,
-    /// The most surfaces that a path may hit, for forward, hybrid-stored and hybrid-connected [default: no limit but
-    /// chance]
+    /// The most surfaces that a path may hit, for forward, hybrid-stored and hybrid-connected [default: unlimited,
+    /// Russian roulette ends a path]
     #[arg(help_heading = "Light")]
     #[arg(long, value_name = "N")]
     pub(crate) bounces: Option<u32>,
-    /// Radius of the eye's aperture, for forward [default: a twentieth of the way to the window]
+    /// Radius of the eye's aperture, for forward [default: 1/20 of the distance to the window]
     #[arg(help_heading = "Light")]
     #[arg(long, value_name = "R", value_parser = radius, allow_hyphen_values = true)]
     pub(crate) aperture: Option<f64>,
-    /// Photons that are gathered around a point, for hybrid-stored [default: 50]
+    /// How many of the nearest photons are gathered around a point, for hybrid-stored [default: 50]
     #[arg(help_heading = "Light")]
     #[arg(long, value_name = "K")]
     pub(crate) nearest: Option<u32>,
-    /// Store light on flat faces in maps with so many cells along the longer side, for hybrid-stored
+    /// Store light on flat faces in maps with this number of cells along the longer side, for hybrid-stored
     #[arg(help_heading = "Light")]
     #[arg(long, value_name = "N")]
     pub(crate) map: Option<u32>,
@@ -291,19 +291,19 @@ pub(crate) struct PixelArgs {
     /// Column and row, counted from 0,0 at the top left
     #[arg(value_name = "X,Y", value_parser = pixel)]
     pub(crate) pixel: [u64; 2],
-    /// Kinds of event to show
+    /// Kinds of event to show, such as sphere_test,plane_test
     #[arg(long, value_name = "KINDS", value_delimiter = ',', value_parser = kind)]
     pub(crate) only: Vec<Kind>,
-    /// One ray alone, by its number
+    /// Show one ray only, by its number
     #[arg(long, value_name = "N")]
     pub(crate) ray: Option<u32>,
-    /// Every test, also where many in a row miss
+    /// Show every test in full, also where many tests miss
     #[arg(long)]
     pub(crate) all: bool,
-    /// How many events the pixel may have: all are kept in memory, 168 bytes each
+    /// The most events of the pixel: all are kept in memory, 168 bytes each
     #[arg(long, value_name = "N", default_value_t = 2_000_000)]
     pub(crate) budget: u64,
-    /// Text, JSON with the tree of rays, a list in Markdown, or a document in HTML
+    /// Text, JSON with the tree of rays, a list in Markdown, or a page in HTML
     #[arg(long, value_enum, default_value = "text", hide_possible_values = true)]
     #[arg(value_name = "text|json|markdown|html")]
     pub(crate) format: PixelFormat,
@@ -323,19 +323,19 @@ pub(crate) struct PixelArgs {
 pub(crate) struct TraceArgs {
     /// Scene (.json, .nff, .obj), or a log to filter again; - is standard input
     pub(crate) scene: PathBuf,
-    /// The log; - is standard output
+    /// File of the log; - is standard output
     #[arg(short, long, value_name = "F.jsonl", default_value = "-")]
     pub(crate) output: PathBuf,
-    /// Pixels to keep: X,Y or a rectangle with both its corners
+    /// Pixels to keep: X,Y, or a rectangle by its top left and its bottom right pixel
     #[arg(long, value_name = "X0,Y0-X1,Y1")]
     pub(crate) region: Option<Region>,
     /// Kinds of event to keep
     #[arg(long, value_name = "KINDS", value_delimiter = ',', value_parser = kind)]
     pub(crate) only: Vec<Kind>,
-    /// How many events may be written
+    /// The most events to write; with more the command ends with an error
     #[arg(long, value_name = "N", default_value_t = 10_000_000)]
     pub(crate) budget: u64,
-    /// How many threads trace [default: all cores]
+    /// Number of threads [default: all cores]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=MOST_THREADS))]
     pub(crate) threads: Option<u16>,
     /// What may be read.
@@ -354,14 +354,14 @@ pub(crate) struct TraceArgs {
 pub(crate) struct RenderArgs {
     /// Scene (.json, .nff, .obj); - is standard input
     pub(crate) scene: PathBuf,
-    /// The picture; - is standard output
+    /// File of the picture; - is standard output
     #[arg(short, long, value_name = "F.png")]
     pub(crate) output: PathBuf,
-    /// Show what each pixel cost, from dark blue to yellow; a legend stands below, and a small picture is
-    /// enlarged to its width
+    /// Show the cost of each pixel, from dark blue (low) to yellow (high), with a legend below; a small picture is
+    /// enlarged to the width of the legend
     #[arg(long, value_parser = one_of::<HeatOf>(), value_name = "WHAT")]
     pub(crate) heatmap: Option<HeatOf>,
-    /// How many threads trace [default: all cores]
+    /// Number of threads [default: all cores]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=MOST_THREADS))]
     pub(crate) threads: Option<u16>,
     /// What may be read.
@@ -381,24 +381,24 @@ pub(crate) struct RenderArgs {
 pub(crate) struct CompareArgs {
     /// Scene (.json, .nff, .obj); - is standard input
     pub(crate) scene: PathBuf,
-    /// The rays of one pixel alone: column and row, counted from 0,0 at the top left
+    /// Compare the rays of one pixel only: column and row, counted from 0,0 at the top left
     #[arg(value_name = "X,Y", value_parser = pixel)]
     pub(crate) pixel: Option<[u64; 2]>,
-    /// Compare the five kinds of ray tracing instead: rays cast, rays that contributed, and the error of the
-    /// light
+    /// Compare the five kinds of ray tracing: how many rays each casts, how many of them contribute light, and the
+    /// error of the light
     #[arg(long, conflicts_with_all = ["pixel", "chart", "transport", "through"])]
     pub(crate) transports: bool,
     /// Text, JSON with all counts, or CSV
     #[arg(long, value_enum, default_value = "text", hide_possible_values = true)]
     #[arg(value_name = "text|json|csv")]
     pub(crate) format: TableFormat,
-    /// In text: a column for each kind of test, and rays, times and memory; wider than 80 columns
-    #[arg(long, conflicts_with = "transports")]
+    /// In text: show all columns, also each kind of test, times and memory; wider than 80 characters
+    #[arg(long)]
     pub(crate) wide: bool,
-    /// Draw the tests as bars on a logarithmic axis
+    /// Draw the numbers of tests as bars on a logarithmic axis
     #[arg(long, value_name = "F.svg")]
     pub(crate) chart: Option<PathBuf>,
-    /// How many threads trace [default: all cores]
+    /// Number of threads [default: all cores]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=MOST_THREADS))]
     pub(crate) threads: Option<u16>,
     /// What may be read.

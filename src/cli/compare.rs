@@ -28,7 +28,7 @@ pub(crate) fn run(args: &CompareArgs) -> Result<(), Error> {
     if args.chart.as_deref().is_some_and(output::is_standard) {
         return Err(Error::Target {
             file: "--chart -".into(),
-            what: "the table goes to standard output, and so would the chart".into(),
+            what: "the table and the chart cannot both go to standard output".into(),
             fix: "name a file with --chart".into(),
         });
     }
@@ -116,6 +116,7 @@ fn transports(args: &CompareArgs) -> Result<(), Error> {
         NotCompared::Stopped { transport, stopped } => Error::Stopped { stopped, transport },
     })?;
     let table = match args.format {
+        TableFormat::Text if args.wide => comparison.wide_text(),
         TableFormat::Text => comparison.text(),
         TableFormat::Json => format!("{:#}\n", comparison.json()),
         TableFormat::Csv => comparison.csv(),

@@ -42,7 +42,7 @@ fn refuse_target(args: &ConvertArgs) -> Result<(), Error> {
     if matches!(ending, Some("nff" | "obj" | "jsonl")) {
         return Err(Error::Target {
             file: args.output.display().to_string(),
-            what: "convert writes JSON, and this ending is that of another format".into(),
+            what: "convert writes JSON, and this file name has the ending of another format".into(),
             fix: "name a file that ends in .json".into(),
         });
     }

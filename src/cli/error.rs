@@ -269,8 +269,8 @@ impl fmt::Display for Error {
             }
             Self::NeedsScene { file, what } => write!(
                 f,
-                "{}: this is a log, and {what} new rays, for which the scene itself is needed\n  \
-                 give the scene; 'raystep convert' takes it out of the log",
+                "{}: this is a log, and {what} new rays, which need the scene\n  \
+                 give the scene; 'raystep convert' extracts it from the log",
                 printable(file)
             ),
             Self::NotInLog { file, what, fix } => {
@@ -285,11 +285,11 @@ impl fmt::Display for Error {
             ),
             Self::NoSuchRay { ray, last: None } => write!(
                 f,
-                "the pixel has no ray {ray}: none was sent from it, or its log holds none\n  omit --ray"
+                "the pixel has no ray {ray}: no ray was traced for it, or the log has none\n  omit --ray"
             ),
             Self::Budget { budget } => write!(
                 f,
-                "there are more events than the budget of {budget}\n  \
+                "the budget of {budget} events is used up\n  \
                  narrow the trace with --region or --only, lower --max-depth, or raise --budget"
             ),
             Self::Stopped { stopped, transport } => {
@@ -298,7 +298,7 @@ impl fmt::Display for Error {
             }
             Self::StandardOutputTwice { fix } => write!(
                 f,
-                "--stats=json writes to standard output, and so does the command itself\n  {fix}"
+                "--stats=json and the command itself cannot both write to standard output\n  {fix}"
             ),
             Self::Target { file, what, fix } => {
                 write!(f, "{}: {}\n  {fix}", printable(file), printable(what))
@@ -306,12 +306,12 @@ impl fmt::Display for Error {
             Self::Write { file, source } => {
                 let fix = match source.kind() {
                     io::ErrorKind::StorageFull | io::ErrorKind::QuotaExceeded => {
-                        "make room there, or choose another place"
+                        "free some space there, or choose another folder"
                     }
                     io::ErrorKind::FileTooLarge => {
                         "raise the limit ('ulimit -f' shows it), or narrow what is written"
                     }
-                    _ => "check the place, or choose another one",
+                    _ => "check the folder, or choose another one",
                 };
                 write!(f, "{}: cannot be written: {source}\n  {fix}", printable(file))
             }

@@ -88,7 +88,7 @@ impl Output {
             fix: fix.into(),
         };
         let unwritable = |source: io::Error| {
-            let fix = "check the permissions, or choose another place";
+            let fix = "check the permissions, or choose another folder";
             bad(format!("cannot be written: {source}"), fix)
         };
         let target = match fs::metadata(path) {
@@ -117,7 +117,7 @@ impl Output {
                     .to_string_lossy()
                     .ends_with(std::path::is_separator)
                 {
-                    let fix = "make it first, and name a file inside it";
+                    let fix = "create it first, and name a file inside it";
                     return Err(bad("there is no such folder".into(), fix));
                 }
                 behind_links(path)
@@ -131,7 +131,7 @@ impl Output {
         };
         if !folder.is_dir() {
             let what = format!("there is no folder {}", folder.display());
-            return Err(bad(what, "make it first, or choose another one"));
+            return Err(bad(what, "create it first, or choose another one"));
         }
         let (out, temporary) = make_temporary(folder, &target).map_err(unwritable)?;
         Ok(Self {

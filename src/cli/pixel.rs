@@ -37,7 +37,7 @@ struct Traced {
 pub(crate) fn run(args: &PixelArgs) -> Result<(), Error> {
     if args.tracing.stats == Some(Format::Json) {
         return Err(Error::StandardOutputTwice {
-            fix: "take --stats, which writes to standard error",
+            fix: "use --stats, which writes to standard error",
         });
     }
     let started = Instant::now();
@@ -142,7 +142,7 @@ fn from_log(log: Log, args: &PixelArgs, started: Instant) -> Result<Traced, Erro
         .region
         .filter(|region| !region.contains(pixel))
     {
-        let what = format!("this log kept only the pixels {region}, and {x},{y} is none of them");
+        let what = format!("this log has only the pixels {region}, and {x},{y} is not one of them");
         return Err(missing(
             what,
             "choose one of them, or trace the scene again",
@@ -151,7 +151,7 @@ fn from_log(log: Log, args: &PixelArgs, started: Instant) -> Result<Traced, Erro
     if let Some(kept) = log.settings().only.as_deref() {
         let is_kept = |kind: &Kind| kept.iter().any(|name| name == kind.name());
         if !args.only.is_empty() && !args.only.iter().any(is_kept) {
-            let what = format!("this log kept only {}", kept.join(", "));
+            let what = format!("this log has only {}", kept.join(", "));
             return Err(missing(
                 what,
                 "choose --only among them, or trace the scene again",
@@ -162,10 +162,10 @@ fn from_log(log: Log, args: &PixelArgs, started: Instant) -> Result<Traced, Erro
     if records.is_empty() {
         let what = match &settings.only {
             Some(kept) => format!(
-                "this log kept only {}, and pixel {x},{y} has none",
+                "this log has only {}, and pixel {x},{y} has none",
                 kept.join(", ")
             ),
-            None => format!("this log holds nothing of pixel {x},{y}: its end is missing"),
+            None => format!("this log has no events of pixel {x},{y}: its end is missing"),
         };
         return Err(missing(what, "trace the scene again"));
     }

@@ -38,7 +38,7 @@ pub(crate) fn pdf(svg: &str) -> Result<Vec<u8>, Error> {
 fn failed(format: &str, why: &dyn std::fmt::Display) -> Error {
     Error::Raster {
         what: format!("the drawing cannot be written as {format}: {why}"),
-        fix: "take SVG, and convert it with another program",
+        fix: "write SVG, and convert it with another program",
     }
 }
 
@@ -57,7 +57,7 @@ pub(crate) fn pdf(_: &str) -> Result<Vec<u8>, Error> {
 #[cfg(not(feature = "raster"))]
 fn without(format: &str) -> Error {
     Error::Raster {
-        what: format!("this raystep was built without the means to write {format}"),
-        fix: "build it with them: cargo build --release --features raster; or take SVG",
+        what: format!("this raystep was built without support for {format}"),
+        fix: "build it with support: cargo build --release --features raster; or write SVG",
     }
 }

@@ -22,7 +22,7 @@ use crate::cli::word::word;
 pub(crate) fn run(args: &RenderArgs) -> Result<(), Error> {
     if args.tracing.stats == Some(Format::Json) && output::is_standard(&args.output) {
         return Err(Error::StandardOutputTwice {
-            fix: "name a file with -o, or take --stats, which writes to standard error",
+            fix: "name a file with -o, or use --stats, which writes to standard error",
         });
     }
     let started = Instant::now();
@@ -44,7 +44,7 @@ pub(crate) fn run(args: &RenderArgs) -> Result<(), Error> {
         return Err(Error::Unused {
             option: "--heatmap",
             chosen: format!(
-                "--transport {}: no ray belongs to one pixel alone",
+                "--transport {}: a ray does not belong to a single pixel",
                 word(transport)
             ),
             users: vec!["another --transport".into()],

@@ -99,7 +99,7 @@ impl LogCounts {
             Some(only) => Err(Error::NotInLog {
                 file: file.into(),
                 what: format!(
-                    "--stats counts all kinds, and this log kept only {}",
+                    "--stats counts all kinds, and this log has only {}",
                     only.join(", ")
                 ),
                 fix: "count a log that was made without --only",

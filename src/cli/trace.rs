@@ -27,7 +27,7 @@ const BUFFER: usize = 1 << 16;
 pub(crate) fn run(args: &TraceArgs) -> Result<(), Error> {
     if args.tracing.stats == Some(Format::Json) && output::is_standard(&args.output) {
         return Err(Error::StandardOutputTwice {
-            fix: "name a file with -o, or take --stats, which writes to standard error",
+            fix: "name a file with -o, or use --stats, which writes to standard error",
         });
     }
     let started = Instant::now();
@@ -193,7 +193,7 @@ fn filter_again(mut log: Log, args: &TraceArgs, started: Instant) -> Result<(), 
         let kept = settings.region.unwrap_or(wanted);
         settings.region = Some(overlap(wanted, kept).ok_or_else(|| {
             missing(format!(
-                "this log kept only the pixels {kept}, none of them in {wanted}"
+                "this log has only the pixels {kept}, none of them in {wanted}"
             ))
         })?);
     }
@@ -204,7 +204,7 @@ fn filter_again(mut log: Log, args: &TraceArgs, started: Instant) -> Result<(), 
     if let Some(kept) = &settings.only {
         kinds.retain(|kind| kept.iter().any(|name| name == kind.name()));
         if kinds.is_empty() {
-            return Err(missing(format!("this log kept only {}", kept.join(", "))));
+            return Err(missing(format!("this log has only {}", kept.join(", "))));
         }
     }
     if settings.only.is_some() || !args.only.is_empty() {

@@ -37,22 +37,22 @@ impl Word for StrategyName {
         (
             Self::Bounds,
             "bounds",
-            "Every object whose bounding volume is met",
+            "Every object whose bounding volume the ray hits",
         ),
         (
             Self::Hierarchy,
             "hierarchy",
-            "A hierarchy of bounding volumes, walked depth first",
+            "A hierarchy of bounding volumes, traversed depth first",
         ),
         (
             Self::Heap,
             "heap",
-            "A hierarchy of bounding volumes, walked in the order of distance",
+            "A hierarchy of bounding volumes, traversed nearest node first with a heap",
         ),
         (
             Self::Grid,
             "grid",
-            "The cells of a uniform grid, one after the other along the ray",
+            "The objects in the cells of a uniform grid, cell by cell along the ray",
         ),
         (
             Self::ZAligned,
@@ -67,27 +67,27 @@ impl Word for Transport {
         (
             Self::Backward,
             "backward",
-            "From the eye alone; no rays to lights, so no shadows",
+            "Rays from the eye only; no shadow rays, so no shadows",
         ),
         (
             Self::HybridLight,
             "hybrid-light",
-            "From the eye, with a ray to each light from each point",
+            "Rays from the eye, and a shadow ray from each point to each light",
         ),
         (
             Self::Forward,
             "forward",
-            "From the lights alone; what passes the window into the eye makes the picture",
+            "Rays from the lights only; those that pass the window into the eye make the picture",
         ),
         (
             Self::HybridStored,
             "hybrid-stored",
-            "From the lights, stored on the surfaces; then from the eye, gathering what is stored",
+            "Light is stored on the surfaces; then rays from the eye gather it (photon mapping)",
         ),
         (
             Self::HybridConnected,
             "hybrid-connected",
-            "From the lights and from the eye; lines connect the two",
+            "Paths from the lights and from the eye, connected by lines (bidirectional path tracing)",
         ),
     ];
 }
@@ -98,7 +98,7 @@ impl Word for Through {
         (
             Self::Corners,
             "corners",
-            "Four rays through its corners, of which the pixel is the mean. A picture shares them: (width + 1) × (height + 1) in all",
+            "Four rays through its corners; the pixel is their mean. A picture shares them: (width + 1) × (height + 1) in all",
         ),
     ];
 }
@@ -109,7 +109,7 @@ impl Word for SlabChoice {
         (
             Self::Seven,
             "seven",
-            "The axes and the four diagonals of a cube: the seven of Kay and Kajiya's paper",
+            "The three axes and the four diagonals of a cube: the seven of Kay and Kajiya's paper",
         ),
         (Self::Scene, "scene", "The set in the scene file"),
     ];
@@ -120,9 +120,13 @@ impl Word for Lists {
         (
             Self::Objects,
             "objects",
-            "The object itself reaches into the cell",
+            "A cell lists an object whose shape reaches into the cell",
         ),
-        (Self::Boxes, "boxes", "The box around the object does"),
+        (
+            Self::Boxes,
+            "boxes",
+            "A cell lists an object whose bounding box reaches into the cell",
+        ),
     ];
 }
 
@@ -131,17 +135,17 @@ impl Word for Build {
         (
             Self::BottomUp,
             "bottom-up",
-            "From the objects upwards, the nearest two volumes joined each time, as the slides say",
+            "From the objects up: the nearest two volumes are joined each time, as the slides say",
         ),
         (
             Self::Insertion,
             "insertion",
-            "One object after the other put where it adds the least area (Goldsmith and Salmon 1987)",
+            "Objects are inserted one by one where they add the least area (Goldsmith and Salmon 1987)",
         ),
         (
             Self::SurfaceArea,
             "surface-area",
-            "From the top downwards, each node cut where the areas of its halves promise the fewest tests",
+            "From the top down: each node is split where the surface-area heuristic expects the fewest tests",
         ),
     ];
 }
@@ -152,7 +156,7 @@ impl Word for VolumeKind {
         (
             Self::Ellipsoid,
             "ellipsoid",
-            "The ellipsoid of least volume, turned as it fits best",
+            "The ellipsoid of the smallest volume, in any orientation",
         ),
         (Self::Box, "box", "The rectangular solid along the axes"),
         (Self::Slabs, "slabs", "The intersection of slabs"),
@@ -164,22 +168,18 @@ impl Word for HeatOf {
         (
             Self::Tests,
             "tests",
-            "How many object tests the pixel's rays took",
+            "The number of object tests of the pixel's rays",
         ),
         (
             Self::Nodes,
             "nodes",
-            "How many bounds they were tested against and nodes they entered",
+            "The number of bound tests and of nodes entered",
         ),
-        (
-            Self::Cells,
-            "cells",
-            "How many cells of the grid they visited",
-        ),
+        (Self::Cells, "cells", "The number of grid cells visited"),
         (
             Self::Depth,
             "depth",
-            "How deep the tree of rays is: 1 for the eye ray alone; shadow rays count",
+            "The depth of the tree of rays: 1 for the eye ray alone; shadow rays count",
         ),
     ];
 }

@@ -36,8 +36,9 @@ impl Comparison<'_> {
         let rays = self.compared.iter().find_map(|one| one.cost.as_ref().ok());
         let rays = rays.map_or(0, |cost| cost.counts.traced());
         let sorted = format!(
-            "{} rays; sorted by object tests + search (bound tests, nodes, cells)",
-            grouped(rays)
+            "{} {}; sorted by object tests + search (bound tests, nodes, cells)",
+            grouped(rays),
+            if rays == 1 { "ray" } else { "rays" }
         );
         format!(
             "{}{}{}\n{}{not_built}{}",

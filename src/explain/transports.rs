@@ -1,4 +1,4 @@
-//! What each kind of ray tracing costs and what it brings: a table, JSON, CSV.
+//! What each kind of ray tracing costs and brings: a table, JSON, CSV.
 //!
 //! Slides, "Type of Ray Tracing Algorithm": forward tracing computes much that is never seen. Here that is a number.
 
@@ -6,7 +6,7 @@ use std::time::Duration;
 
 use serde_json::{Value, json};
 
-use crate::explain::table::{aligned, csv_row};
+use crate::explain::table::{aligned, csv_row, wrapped};
 use crate::explain::{counts_json, grouped, printable};
 use crate::scene::Scene;
 use crate::trace::{Counts, Settings, Transport, UsefulRays};
@@ -20,32 +20,32 @@ pub struct TransportComparison<'a> {
     pub compared: Vec<TransportCost>,
 }
 
-/// What one kind cost, and how far off its light is.
+/// What one kind cost, and the error of its light.
 #[derive(Clone, Debug)]
 pub struct TransportCost {
-    /// Which, and what it depends on.
+    /// The kind of ray tracing, with its options.
     pub settings: Settings,
-    /// Rays, tests and what became of the light.
+    /// The counts of rays and tests, and where the light went.
     pub counts: Counts,
-    /// Which of the rays brought something.
+    /// The numbers of rays that were cast and that contributed.
     pub rays: UsefulRays,
-    /// How far the light that hits one surface is from its closed form; `None` where the closed form is 0.
+    /// The error of the light that hits one surface, against its closed form; `None` where the closed form is 0.
     pub error: Option<ErrorOf>,
-    /// How long the picture took, counting included.
+    /// The time of the picture, counting included.
     pub time: Duration,
 }
 
 /// How far a picture is from its closed form, as shares of the closed form's mean.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ErrorOf {
-    /// The difference of the means: what is wrong with the picture as a whole.
+    /// The difference of the means, as a share: the error of the picture as a whole.
     pub mean: f64,
-    /// The root of the mean square difference of a channel of a pixel: with it, how noisy or blurred it is.
+    /// The root of the mean square difference of a channel of a pixel, as a share: noise and blur as well.
     pub root_mean_square: f64,
 }
 
 impl ErrorOf {
-    /// The error of numbers against those they should be.
+    /// The error of numbers against the expected ones.
     pub fn between(found: &[f64], expected: &[f64]) -> Option<Self> {
         let count = expected.len() as f64;
         let sum: f64 = expected.iter().sum();
@@ -67,11 +67,11 @@ impl ErrorOf {
 
 /// The columns after the name: the title in the table, the key in CSV.
 const COLUMNS: [(&str, &str); 6] = [
-    ("rays cast", "rays"),
+    ("rays", "rays"),
     ("contributed", "contributed"),
     ("waste %", "waste_percent"),
-    ("mean off %", "mean_error_percent"),
-    ("rms off %", "rms_error_percent"),
+    ("mean error %", "mean_error_percent"),
+    ("RMS error %", "rms_error_percent"),
     ("seconds", "seconds"),
 ];
 
@@ -151,6 +151,16 @@ impl TransportComparison<'_> {
         rows
     }
 
+    /// The table without times, what its columns mean, and where forward tracing's paths have gone: 80 columns.
+    pub fn text(&self) -> String {
+        self.text_of(&self.rows())
+    }
+
+    /// The same with the times.
+    pub fn wide_text(&self) -> String {
+        self.text_of(&self.table())
+    }
+
     fn table(&self) -> Vec<Vec<String>> {
         let mut titles = vec!["transport".to_owned()];
         titles.extend(COLUMNS.map(|(title, _)| title.into()));
@@ -163,12 +173,18 @@ impl TransportComparison<'_> {
         table
     }
 
-    /// The table, what its columns mean, and where forward tracing's paths have gone.
-    pub fn text(&self) -> String {
-        let mut text = format!("{}\n\n{}", self.title(), aligned(&self.table()));
-        text += "\ncontributed: rays along which light came into the picture; waste: all others\n\
-                 off: light that meets one surface, against Σ colour·diffuse/π · Φ·cos θ/(4π·r²) at the pixels' centres,\n\
-                 \x20    which is what hybrid-light computes\n";
+    fn text_of(&self, table: &[Vec<String>]) -> String {
+        let mut text = wrapped(&self.title(), "", "  ");
+        text.push('\n');
+        text += &aligned(table);
+        text.push('\n');
+        for line in [
+            "contributed: rays that carry light into the picture; waste: all other rays",
+            "error: of the light that hits one surface, against hybrid-light's closed form at the pixels' centres, \
+             Σ colour·diffuse/π · Φ·cos θ/(4π·r²)",
+        ] {
+            text += &wrapped(line, "", "  ");
+        }
         let forward = self
             .compared
             .iter()
@@ -208,11 +224,12 @@ fn in_words(counts: &Counts) -> String {
     let [paths, hit, left, reached] =
         [light.paths, light.hit, light.left, light.reached_eye].map(grouped);
     let wasted = light.wasted().unwrap_or_default();
-    format!(
-        "\nforward: of {paths} paths of light {hit} hit something, {left} left the scene and {reached} reached the eye:\n\
-         {:.3} % of them were followed in vain\n",
+    let sentence = format!(
+        "forward: of {paths} paths of light {hit} hit a surface, {left} left the scene and {reached} reached the eye; \
+         {:.3} % were wasted",
         100.0 * wasted
-    )
+    );
+    format!("\n{}", wrapped(&sentence, "", "  "))
 }
 
 #[cfg(test)]

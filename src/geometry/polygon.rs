@@ -72,7 +72,7 @@ impl fmt::Display for PolygonError {
             Self::TooFewVertices { count } => {
                 write!(f, "a polygon needs at least 3 vertices, here are {count}")
             }
-            Self::NoArea => f.write_str("the vertices lie on one line or enclose no area"),
+            Self::NoArea => f.write_str("the vertices are on one line or enclose no area"),
             Self::NotPlanar {
                 vertex,
                 distance,

@@ -46,16 +46,18 @@ impl SlabSetError {
     /// What to do about it.
     pub fn fix(&self) -> String {
         match self {
-            Self::NoDirection { .. } => "give it a direction [A, B, C], or leave it out".into(),
-            Self::Parallel { .. } => "leave one of them out".into(),
+            Self::NoDirection { .. } => "give it a direction [A, B, C], or omit it".into(),
+            Self::Parallel { .. } => "omit one of them".into(),
             Self::Unbounded { independent: 0 } => {
-                "give three directions [A, B, C] that lie in no plane".into()
+                "give three directions [A, B, C] that are not in one plane".into()
             }
             Self::Unbounded { independent: 1 } => {
-                "add two directions that lie in no plane with the first".into()
+                "add two directions that are not in one plane with the first".into()
             }
-            Self::Unbounded { .. } => "add a direction across the plane of the others".into(),
-            Self::TooMany { .. } => format!("leave some out; {MOST_SLABS} are the most"),
+            Self::Unbounded { .. } => {
+                "add a direction that is not in the plane of the others".into()
+            }
+            Self::TooMany { .. } => format!("omit some; at most {MOST_SLABS} are allowed"),
         }
     }
 }
@@ -69,7 +71,7 @@ impl fmt::Display for SlabSetError {
             }
             Self::Unbounded { independent } => write!(
                 f,
-                "the slabs do not bound: they have {independent} of the 3 independent directions that it takes"
+                "the slabs do not bound: they have {independent} of 3 independent directions"
             ),
             Self::TooMany { count } => write!(f, "the slabs have {count} directions"),
         }

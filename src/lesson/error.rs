@@ -72,7 +72,7 @@ impl fmt::Display for LessonError {
                 write!(f, "there is no {what} {name:?}")?;
                 match near {
                     Some(near) => write!(f, "\n  did you mean {}?", printable(near)),
-                    None if known.is_empty() => write!(f, "\n  there are none here"),
+                    None if known.is_empty() => write!(f, "\n  there is none here"),
                     None => write!(f, "\n  there are {}", printable(&known.join(", "))),
                 }
             }

@@ -30,7 +30,7 @@ impl FromStr for FigureName {
                 lesson: lesson.into(),
                 figure: figure.into(),
             }),
-            _ => Err("give a lesson and a figure of it, as in 12-grid/walk".into()),
+            _ => Err("give a lesson and one of its figures, as in 12-grid/walk".into()),
         }
     }
 }
@@ -163,7 +163,7 @@ impl Lesson {
             content,
         };
         if let Some(wrong) = lesson.content.figures.keys().find(|name| !is_word(name)) {
-            let what = format!("{wrong:?} is no name for a figure");
+            let what = format!("{wrong:?} is not a name for a figure");
             let error = FigureError::new("", what, "use letters a-z, digits and -");
             return Err(lesson.wrong(wrong, error));
         }

@@ -97,7 +97,7 @@ pub fn trace_figure(
             return Err(error(
                 "light",
                 format!(
-                    "{followed} paths of light are too many for a figure: all of them are followed"
+                    "{followed} paths of light are too many for a figure, which traces all of them"
                 ),
                 "lower \"paths\" or \"samples\" in \"light\", to at most 10 million paths in all",
             ));
@@ -172,16 +172,16 @@ fn check_paths(spec: &FigureSpec, pixels: [u32; 2]) -> Result<(), FigureError> {
     let all = settings.light_paths(pixels);
     let (what, fix) = if !draws_paths(spec.kind) {
         let what = "this kind of figure draws no paths of light".to_owned();
-        (what, "leave \"paths\" out".to_owned())
+        (what, "omit \"paths\"".to_owned())
     } else if !spec.transport.follows_light() {
-        let what = "this transport follows no light from the lamps".to_owned();
-        let fix = "leave \"paths\" out, or take another \"transport\", such as \"forward\"";
+        let what = "this transport traces no light from the lights".to_owned();
+        let fix = "omit \"paths\", or choose another \"transport\", such as \"forward\"";
         (what, fix.to_owned())
     } else if all == 0 {
         // what prevents tracing any is reported when the light is checked
         return Ok(());
     } else if shown == 0 || all.min(MOST_PATHS.into()) < shown.into() {
-        let what = format!("{shown} paths cannot be shown: {all} are followed");
+        let what = format!("{shown} paths cannot be shown: {all} are traced");
         let most = all.min(MOST_PATHS.into());
         (what, format!("show from 1 to {most}"))
     } else {
@@ -267,9 +267,9 @@ mod tests {
         };
         assert_eq!(of("paths", "forward", 50), None);
         assert_eq!(of("rays", "hybrid-connected", 12), None);
-        let too_many = "51 paths cannot be shown: 50 are followed";
+        let too_many = "51 paths cannot be shown: 50 are traced";
         assert_eq!(of("paths", "hybrid-stored", 51).as_deref(), Some(too_many));
-        let too_many = "13 paths cannot be shown: 12 are followed";
+        let too_many = "13 paths cannot be shown: 12 are traced";
         assert_eq!(
             of("paths", "hybrid-connected", 13).as_deref(),
             Some(too_many)

@@ -123,7 +123,7 @@ impl Fault {
             Self::UnknownMaterial { nearest: None, .. } => "add it to \"materials\"".into(),
             Self::EmptyName => "give it a name: the log and the worked solution use it".into(),
             Self::SameName { .. } => {
-                "rename one of them: the log tells objects apart by name".into()
+                "rename one of them: the log identifies objects by their names".into()
             }
             Self::OneOf {
                 first,
@@ -193,7 +193,7 @@ impl fmt::Display for Fault {
                 let count = if *both { "both are" } else { "neither is" };
                 write!(
                     f,
-                    "exactly one of {first:?} and {second:?} must be there, and {count}"
+                    "exactly one of {first:?} and {second:?} is needed, and {count} there"
                 )
             }
             Self::FieldOfView { degrees } => write!(f, "the field of view is {degrees} degrees"),

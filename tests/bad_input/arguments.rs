@@ -112,8 +112,8 @@ fn statistics_and_the_working_do_not_mix() {
     assert_data_eq!(
         refuses("pixel scene.json 80,60 --stats=json"),
         str![[r#"
-error: --stats=json writes to standard output, and so does the command itself
-  take --stats, which writes to standard error
+error: --stats=json and the command itself cannot both write to standard output
+  use --stats, which writes to standard error
 
 "#]]
     );
@@ -124,8 +124,8 @@ fn statistics_and_the_log_do_not_mix() {
     assert_data_eq!(
         refuses("trace scene.json --stats=json"),
         str![[r#"
-error: --stats=json writes to standard output, and so does the command itself
-  name a file with -o, or take --stats, which writes to standard error
+error: --stats=json and the command itself cannot both write to standard output
+  name a file with -o, or use --stats, which writes to standard error
 
 "#]]
     );
@@ -226,7 +226,7 @@ fn a_region_backwards_is_told() {
     assert_data_eq!(
         refuses_output("trace scene.json --region 5,5-4,6"),
         str![[r#"
-error: invalid value '5,5-4,6' for '--region <X0,Y0-X1,Y1>': the second corner lies above or left of the first
+error: invalid value '5,5-4,6' for '--region <X0,Y0-X1,Y1>': the second corner is above or left of the first
 
 For more information, try '--help'.
 
@@ -239,7 +239,7 @@ fn a_spent_budget_leaves_no_file() {
     assert_data_eq!(
         refuses_output("trace scene.json --budget 1000"),
         str![[r#"
-error: there are more events than the budget of 1000
+error: the budget of 1000 events is used up
   narrow the trace with --region or --only, lower --max-depth, or raise --budget
 
 "#]]
@@ -251,7 +251,7 @@ fn json_is_not_written_under_the_ending_of_another_format() {
     assert_data_eq!(
         refuses("convert scene.json scene.nff"),
         str![[r#"
-error: scene.nff: convert writes JSON, and this ending is that of another format
+error: scene.nff: convert writes JSON, and this file name has the ending of another format
   name a file that ends in .json
 
 "#]]

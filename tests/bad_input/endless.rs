@@ -40,7 +40,7 @@ fn a_pixel_ends_at_its_budget() {
             .run("pixel panes.json 4,4 --budget 100000")
             .refused(),
         str![[r#"
-error: there are more events than the budget of 100000
+error: the budget of 100000 events is used up
   narrow the trace with --region or --only, lower --max-depth, or raise --budget
 
 "#]]
@@ -55,7 +55,7 @@ fn a_log_ends_at_its_budget() {
         assert_data_eq!(
             refuses_in(&folder, &words),
             str![[r#"
-error: there are more events than the budget of 100000
+error: the budget of 100000 events is used up
   narrow the trace with --region or --only, lower --max-depth, or raise --budget
 
 "#]]

@@ -117,7 +117,7 @@ fn a_lesson_name_that_is_no_name_is_refused() {
     let folder = course().with("lessons/01-ball/lesson.json", lesson);
     let message = folder.run("figures").refused();
     assert!(
-        message.contains("\"../x\" is no name for a figure"),
+        message.contains("\"../x\" is not a name for a figure"),
         "{message}"
     );
 }

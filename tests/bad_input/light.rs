@@ -61,7 +61,7 @@ fn without_lights_there_is_nothing_to_follow() {
             ""
         ),
         str![[r#"
-error: scene.json: the scene has no lights, and light is to be followed from them
+error: scene.json: the scene has no lights, and this kind of ray tracing starts at the lights
   give the scene a light, such as { "position": [0, 4, 0], "power": 100 }
 
 "#]]
@@ -73,7 +73,7 @@ fn a_light_with_a_colour_does_not_say_how_much_it_sends_out() {
     assert_data_eq!(
         refuses_with(r#""power": 100"#, r#""colour": [1, 1, 1]"#),
         str![[r#"
-error: scene.json: lights[0], "lamp", has a colour and no power: how much light it sends out is not known
+error: scene.json: lights[0], "lamp", has a colour but no power, so the light that it emits is not known
   replace lights[0].colour by "power", in watts, or choose --transport hybrid-light
 
 "#]]
@@ -98,7 +98,7 @@ fn a_surface_that_sends_on_more_than_arrives_is_told_with_its_material() {
     assert_data_eq!(
         refuses_with(r#""diffuse": 0.8"#, r#""diffuse": 1.2, "reflection": 0.5"#),
         str![[r#"
-error: scene.json: materials.grey would send on 1.1 times what arrives: energy would grow at every surface
+error: scene.json: materials.grey reflects and transmits 1.1 times the incoming light: energy would grow at every bounce
   lower diffuse, reflection or transmission of materials.grey, so that for each channel colour·diffuse + reflection + transmission is at most 1
 
 "#]]
@@ -115,7 +115,7 @@ fn a_light_in_opaque_matter_that_nothing_shows_from_inside_is_a_mistake() {
     assert_data_eq!(
         refuses_with("[0, 3, 0]", "[2, 1.5, 0]"),
         str![[r#"
-error: scene.json: the light "lamp" stands inside "ball", which is opaque and does not face inwards
+error: scene.json: the light "lamp" is inside "ball", which is opaque and whose inside is not visible
   move the light, or give "ball" "sides": "back" to show it from inside
 
 "#]]
@@ -130,8 +130,8 @@ fn a_light_that_stays_inside_away_from_the_eye_is_worth_a_note() {
     let folder = Folder::empty().with("scene.json", scene);
     let words = "render scene.json --transport forward --paths 100 -o x.png";
     let noted = folder.run(words).noted();
-    let expected = "note: the light \"lamp\" stands inside \"ball\", which is opaque: its light stays there, away \
-                    from the eye\n";
+    let expected = "note: the light \"lamp\" is inside \"ball\", which is opaque: none of its light reaches \
+                    the eye\n";
     assert_eq!(noted, expected);
 }
 
@@ -140,8 +140,8 @@ fn what_the_paths_of_light_do_not_look_at_is_noted() {
     let scene = LAMP.replacen("\"lights\"", "\"ambient\": [0.1, 0.1, 0.1], \"lights\"", 1);
     let folder = Folder::empty().with("scene.json", scene);
     let words = "render scene.json --transport hybrid-connected --samples 1 -o x.png";
-    let expected = "note: the ambient light and the background are left out: the light of the lamps is followed, and \
-                    nothing else\n";
+    let expected = "note: the ambient light and the background are ignored: only the light of the lights is \
+                    traced\n";
     assert_eq!(folder.run(words).noted(), expected);
 }
 
@@ -149,8 +149,8 @@ fn what_the_paths_of_light_do_not_look_at_is_noted() {
 fn a_pinhole_is_explained_not_hidden() {
     let folder = Folder::empty().with("scene.json", LAMP);
     let words = "render scene.json --transport forward --aperture 0 --paths 1000 -o x.png";
-    let expected = "note: the eye is a pinhole, of aperture 0: no photon can pass through a point, so none arrives and \
-                    the picture is black; an aperture gives the eye a radius\n";
+    let expected = "note: the eye is a pinhole, with aperture 0: no photon passes through a point, so the \
+                    picture is black; an aperture gives the eye a radius\n";
     assert_eq!(folder.run(words).noted(), expected);
 }
 
@@ -235,7 +235,7 @@ fn light_that_nothing_absorbs_and_that_does_not_get_out_is_refused() {
         assert_data_eq!(
             message,
             str![[r#"
-error: scene.json: a path of light met 10000 surfaces and went on: hardly anything absorbs it, and it does not get out
+error: scene.json: a path of light hit 10000 surfaces and did not end: the surfaces absorb almost nothing, and the path cannot leave
   lower the albedo of a material, or end the paths with --bounces, such as --bounces 20
 
 "#]]
@@ -281,7 +281,7 @@ fn numbers_out_of_their_range_are_told_with_the_range() {
         ("--transport hybrid-stored --nearest 1", "at least 2"),
         ("--transport hybrid-stored --map 0", "from 1 to 4096"),
         ("--transport hybrid-stored --map 4097", "from 1 to 4096"),
-        ("--transport forward --bounces 0", "from 1 on"),
+        ("--transport forward --bounces 0", "at least 1"),
         ("--transport forward --aperture -1", "0 or more"),
         ("--transport forward --aperture NaN", "0 or more"),
         ("--transport forward --aperture 1e51", "at most 1e50"),

@@ -86,7 +86,7 @@ fn a_mesh_outside_of_the_scenes_folder_is_refused_unless_it_is_allowed() {
     assert_data_eq!(
         folder.run("pixel scene/out.json 1,1").refused(),
         str![[r#"
-error: scene/out.json, line 5, at objects[0].shape.mesh.file: the file "../mesh.obj" lies outside of the folder of the file that names it
+error: scene/out.json, line 5, at objects[0].shape.mesh.file: the file "../mesh.obj" is outside the folder of the file that names it
   move it there, or allow files outside of it with --allow-outside
 
 "#]]
@@ -99,7 +99,7 @@ error: scene/out.json, line 5, at objects[0].shape.mesh.file: the file "../mesh.
         "convert scene/secret.json a.json",
     ] {
         let message = folder.run(words).refused();
-        assert!(message.contains("lies outside"), "{words}: {message}");
+        assert!(message.contains("is outside"), "{words}: {message}");
     }
     let inside = folder.run("pixel scene/in.json 1,1").well();
     let allowed = folder
@@ -127,12 +127,12 @@ fn a_lessons_scene_outside_of_its_folder_is_refused_unless_it_is_allowed() {
     assert_data_eq!(
         folder.run("figure 02-other/f -o f.svg").refused(),
         str![[r#"
-error: lessons/02-other/lesson.json, line 2, at figures.f.scene: the file "../01-ball/scene.json" lies outside of the folder of the file that names it
+error: lessons/02-other/lesson.json, line 2, at figures.f.scene: the file "../01-ball/scene.json" is outside the folder of the file that names it
   move it there, or allow files outside of it with --allow-outside
 
 "#]]
     );
-    assert!(folder.run("figures").refused().contains("lies outside"));
+    assert!(folder.run("figures").refused().contains("is outside"));
     folder
         .run("figure 02-other/f -o f.svg --allow-outside")
         .well();

@@ -176,7 +176,7 @@ fn an_obj_file_cut_off_in_a_vertex_is_told_by_line() {
     assert_data_eq!(
         refuses("a.obj", up_to(OBJ, "v 0 1")),
         str![[r#"
-error: a.obj, line 3: a vertex has 3 to 7 numbers, and here are 2
+error: a.obj, line 3: a vertex has 3 to 7 numbers, and there are 2
   a vertex is written v x y z
 
 "#]]

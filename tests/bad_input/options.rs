@@ -153,8 +153,8 @@ fn a_log_is_not_traced_again_with_another_strategy() {
             .run("pixel a.jsonl 3,3 --strategy grid --density 2")
             .refused(),
         str![[r#"
-error: a.jsonl: this is a log, and --strategy and --density ask for new rays, for which the scene itself is needed
-  give the scene; 'raystep convert' takes it out of the log
+error: a.jsonl: this is a log, and --strategy and --density ask for new rays, which need the scene
+  give the scene; 'raystep convert' extracts it from the log
 
 "#]]
     );
@@ -163,8 +163,8 @@ error: a.jsonl: this is a log, and --strategy and --density ask for new rays, fo
             .run("trace a.jsonl -o b.jsonl --strategy heap")
             .refused(),
         str![[r#"
-error: a.jsonl: this is a log, and --strategy asks for new rays, for which the scene itself is needed
-  give the scene; 'raystep convert' takes it out of the log
+error: a.jsonl: this is a log, and --strategy asks for new rays, which need the scene
+  give the scene; 'raystep convert' extracts it from the log
 
 "#]]
     );

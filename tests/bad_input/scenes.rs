@@ -231,7 +231,7 @@ fn collinear_vertices_are_told() {
     assert_data_eq!(
         refuses_with(FLOOR, "[[-9, 0, -9], [0, 0, 0], [9, 0, 9]]"),
         str![[r#"
-error: scene.json, line 19, at objects[3].shape.polygon: the vertices lie on one line or enclose no area
+error: scene.json, line 19, at objects[3].shape.polygon: the vertices are on one line or enclose no area
   list the corners in order around the polygon
 
 "#]]
@@ -280,7 +280,7 @@ fn two_objects_of_one_name_are_told() {
         refuses_with("\"name\": \"B\"", "\"name\": \"A\""),
         str![[r#"
 error: scene.json, line 16, at objects[1].name: objects[0] is called "A" already
-  rename one of them: the log tells objects apart by name
+  rename one of them: the log identifies objects by their names
 
 "#]]
     );
@@ -326,7 +326,7 @@ fn two_cameras_are_told() {
             ),
         ),
         str![[r#"
-error: scene.json, line 4, at camera: exactly one of "look_at" and "window" must be there, and both are
+error: scene.json, line 4, at camera: exactly one of "look_at" and "window" is needed, and both are there
   remove "look_at" or "window"
 
 "#]]
@@ -363,7 +363,7 @@ fn a_mesh_file_that_is_missing_is_told() {
         refuses_with(SPHERE, r#"{ "mesh": { "file": "roof.obj" } }"#),
         str![[r#"
 error: scene.json, line 15, at objects[0].shape.mesh.file: the mesh file "roof.obj" cannot be read: No such file or directory (os error 2)
-  name an OBJ file; its folder is counted from that of the scene
+  name an OBJ file; its path is relative to the folder of the scene
 
 "#]]
     );

@@ -34,7 +34,7 @@ fn a_grid_of_a_thousand_million_cells_is_refused_before_it_is_built() {
     assert_data_eq!(
         refuses_options("--strategy grid --grid 1000,1000,1000"),
         str![[r#"
-error: a grid of 1000000000 cells takes too much memory; 67108864 are the most
+error: a grid of 1000000000 cells takes too much memory; at most 67108864 are allowed
   give a smaller resolution or density
 
 "#]]
@@ -61,7 +61,7 @@ fn a_grid_of_a_million_cells_in_a_row_is_told() {
     assert_data_eq!(
         refuses_options("--strategy grid --grid 1000000,1,1"),
         str![[r#"
-error: --grid: a ray along x would step through 1000000 cells, one after the other
+error: --grid: a ray along x would step through 1000000 cells
   give at most 4096 along each axis
 
 "#]]
@@ -69,7 +69,7 @@ error: --grid: a ray along x would step through 1000000 cells, one after the oth
     assert_data_eq!(
         refuses_options("--strategy grid --grid 1,4097,1"),
         str![[r#"
-error: --grid: a ray along y would step through 4097 cells, one after the other
+error: --grid: a ray along y would step through 4097 cells
   give at most 4096 along each axis
 
 "#]]
@@ -81,7 +81,7 @@ fn a_density_of_more_cells_than_there_is_memory_is_told() {
     assert_data_eq!(
         refuses_options("--strategy grid --density 1e300"),
         str![[r#"
-error: a grid of 4e300 cells takes too much memory; 67108864 are the most
+error: a grid of 4e300 cells takes too much memory; at most 67108864 are allowed
   give a smaller resolution or density
 
 "#]]
@@ -110,24 +110,24 @@ fn slabs_that_do_not_bound_are_told() {
     assert_data_eq!(
         refuses_slabs("[[1, 0, 0], [0, 1, 0], [1, 1, 0]]"),
         str![[r#"
-error: scene.json, line 1, at slabs: the slabs do not bound: they have 2 of the 3 independent directions that it takes
-  add a direction across the plane of the others
+error: scene.json, line 1, at slabs: the slabs do not bound: they have 2 of 3 independent directions
+  add a direction that is not in the plane of the others
 
 "#]]
     );
     assert_data_eq!(
         refuses_slabs("[[1, 0, 0]]"),
         str![[r#"
-error: scene.json, line 1, at slabs: the slabs do not bound: they have 1 of the 3 independent directions that it takes
-  add two directions that lie in no plane with the first
+error: scene.json, line 1, at slabs: the slabs do not bound: they have 1 of 3 independent directions
+  add two directions that are not in one plane with the first
 
 "#]]
     );
     assert_data_eq!(
         refuses_slabs("[]"),
         str![[r#"
-error: scene.json, line 1, at slabs: the slabs do not bound: they have 0 of the 3 independent directions that it takes
-  give three directions [A, B, C] that lie in no plane
+error: scene.json, line 1, at slabs: the slabs do not bound: they have 0 of 3 independent directions
+  give three directions [A, B, C] that are not in one plane
 
 "#]]
     );
@@ -139,7 +139,7 @@ fn parallel_slabs_are_told() {
         refuses_slabs("[[1, 0, 0], [0, 1, 0], [-3, 0, 0]]"),
         str![[r#"
 error: scene.json, line 1, at slabs[2]: slabs[0] and slabs[2] are parallel
-  leave one of them out
+  omit one of them
 
 "#]]
     );
@@ -151,7 +151,7 @@ fn a_slab_without_a_direction_is_told() {
         refuses_slabs("[[1, 0, 0], [0, 0, 0], [0, 1, 0]]"),
         str![[r#"
 error: scene.json, line 1, at slabs[1]: slabs[1] is zero
-  give it a direction [A, B, C], or leave it out
+  give it a direction [A, B, C], or omit it
 
 "#]]
     );
@@ -186,7 +186,7 @@ fn slabs_that_no_strategy_looks_at_are_told_with_the_line_they_stand_in() {
         refuses_in(&folder, "render scene.json"),
         str![[r#"
 error: scene.json, line 4, at slabs[2]: slabs[1] and slabs[2] are parallel
-  leave one of them out
+  omit one of them
 
 "#]]
     );
@@ -199,7 +199,7 @@ fn more_than_sixteen_slabs_are_told() {
         refuses_slabs(&format!("[{}]", slabs.join(", "))),
         str![[r#"
 error: scene.json, line 1, at slabs: the slabs have 17 directions
-  leave some out; 16 are the most
+  omit some; at most 16 are allowed
 
 "#]]
     );

@@ -24,7 +24,7 @@ fn a_folder_that_is_missing_is_told_before_tracing() {
         refuses(&folder, &words),
         str![[r#"
 error: none/out.png: there is no folder none
-  make it first, or choose another one
+  create it first, or choose another one
 
 "#]]
     );
@@ -53,7 +53,7 @@ fn a_folder_that_is_meant_and_missing_is_no_file() {
         refuses(&folder, &words),
         str![[r#"
 error: pictures/: there is no such folder
-  make it first, and name a file inside it
+  create it first, and name a file inside it
 
 "#]]
     );
@@ -67,7 +67,7 @@ fn a_file_is_no_folder() {
         refuses(&folder, &words),
         str![[r#"
 error: scene.json/out.jsonl: cannot be written: Not a directory (os error 20)
-  check the permissions, or choose another place
+  check the permissions, or choose another folder
 
 "#]]
     );
@@ -83,7 +83,7 @@ fn a_loop_of_links_is_told() {
         refuses(&folder, &words),
         str![[r#"
 error: out.png: cannot be written: Too many levels of symbolic links (os error 40)
-  check the permissions, or choose another place
+  check the permissions, or choose another folder
 
 "#]]
     );
@@ -97,7 +97,7 @@ fn a_full_device_is_told() {
         refuses(&folder, "render scene.json --pixels 8,8 -o /dev/full"),
         str![[r#"
 error: /dev/full: cannot be written: No space left on device (os error 28)
-  make room there, or choose another place
+  free some space there, or choose another folder
 
 "#]]
     );

@@ -118,7 +118,7 @@ fn what_a_log_does_not_hold_is_told() {
     snapbox::assert_data_eq!(
         refused("pixel a.jsonl 30,30"),
         snapbox::str![[r#"
-error: a.jsonl: this log kept only the pixels 3,4-20,15, and 30,30 is none of them
+error: a.jsonl: this log has only the pixels 3,4-20,15, and 30,30 is not one of them
   choose one of them, or trace the scene again
 
 "#]]
@@ -126,7 +126,7 @@ error: a.jsonl: this log kept only the pixels 3,4-20,15, and 30,30 is none of th
     snapbox::assert_data_eq!(
         refused("pixel a.jsonl 5,5 --only nearest"),
         snapbox::str![[r#"
-error: a.jsonl: this log kept only ray, shade
+error: a.jsonl: this log has only ray, shade
   choose --only among them, or trace the scene again
 
 "#]]
@@ -134,7 +134,7 @@ error: a.jsonl: this log kept only ray, shade
     snapbox::assert_data_eq!(
         refused("trace a.jsonl --only nearest"),
         snapbox::str![[r#"
-error: a.jsonl: this log kept only ray, shade
+error: a.jsonl: this log has only ray, shade
   choose among them, or trace the scene again
 
 "#]]
@@ -142,7 +142,7 @@ error: a.jsonl: this log kept only ray, shade
     snapbox::assert_data_eq!(
         refused("trace a.jsonl --region 30,30-31,31"),
         snapbox::str![[r#"
-error: a.jsonl: this log kept only the pixels 3,4-20,15, none of them in 30,30-31,31
+error: a.jsonl: this log has only the pixels 3,4-20,15, none of them in 30,30-31,31
   choose among them, or trace the scene again
 
 "#]]
@@ -150,7 +150,7 @@ error: a.jsonl: this log kept only the pixels 3,4-20,15, none of them in 30,30-3
     snapbox::assert_data_eq!(
         refused("trace a.jsonl -o b.jsonl --stats=json"),
         snapbox::str![[r#"
-error: a.jsonl: --stats counts all kinds, and this log kept only ray, shade
+error: a.jsonl: --stats counts all kinds, and this log has only ray, shade
   count a log that was made without --only
 
 "#]]
@@ -158,16 +158,16 @@ error: a.jsonl: --stats counts all kinds, and this log kept only ray, shade
     snapbox::assert_data_eq!(
         refused("pixel a.jsonl 5,5 --pixels 8,8 --one-sided"),
         snapbox::str![[r#"
-error: a.jsonl: this is a log, and --pixels and --one-sided ask for new rays, for which the scene itself is needed
-  give the scene; 'raystep convert' takes it out of the log
+error: a.jsonl: this is a log, and --pixels and --one-sided ask for new rays, which need the scene
+  give the scene; 'raystep convert' extracts it from the log
 
 "#]]
     );
     snapbox::assert_data_eq!(
         refused("render a.jsonl -o a.png"),
         snapbox::str![[r#"
-error: a.jsonl: this is a log, and a picture needs new rays, for which the scene itself is needed
-  give the scene; 'raystep convert' takes it out of the log
+error: a.jsonl: this is a log, and a picture needs new rays, which need the scene
+  give the scene; 'raystep convert' extracts it from the log
 
 "#]]
     );

@@ -18,7 +18,7 @@ fn a_structure_that_cannot_be_built_is_told_and_the_others_go_on() {
     let mut scene = built(TWO_BALLS);
     // a scene file with these is refused, and a scene can still be given them
     scene.slabs = Some(vec![DVec3::X, 2.0 * DVec3::X, DVec3::Z]);
-    let why = "slabs[0] and slabs[1] are parallel; leave one of them out";
+    let why = "slabs[0] and slabs[1] are parallel; omit one of them";
     let compared = strategies_to_compare(&scene, &Settings::default())
         .into_iter()
         .map(|settings| Compared {
@@ -40,7 +40,7 @@ fn a_structure_that_cannot_be_built_is_told_and_the_others_go_on() {
     let text = comparison.text();
     let told = "\nhierarchy, bottom-up, own slabs  not built\n\
                 hierarchy, bottom-up, own slabs: not built: slabs[0] and slabs[1] are parallel;\n  \
-                leave one of them out\n";
+                omit one of them\n";
     assert!(text.contains(told), "{text}");
     let json = comparison.json();
     let own = entry(&json, "hierarchy, bottom-up, own slabs");

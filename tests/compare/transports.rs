@@ -150,7 +150,17 @@ fn the_table_and_its_csv_have_a_row_for_each_and_say_the_waste_in_words() {
         "{text}"
     );
     assert!(text.contains("forward: of 1 000 paths of light "), "{text}");
-    assert!(text.contains("% of them were followed in vain\n"), "{text}");
+    assert!(text.contains("% were wasted\n"), "{text}");
+    for line in text.lines() {
+        assert!(line.chars().count() <= 80, "{line}");
+    }
+    assert!(!text.contains("seconds"), "{text}");
+    let wide = folder
+        .run("compare scene.json --transports --paths 1000 --wide")
+        .well();
+    let wide = String::from_utf8(wide).unwrap();
+    let titles = wide.lines().find(|line| line.starts_with("transport "));
+    assert!(titles.unwrap().ends_with("RMS error %  seconds"), "{wide}");
     let csv = folder
         .run("compare scene.json --transports --paths 1000 --format csv")
         .well();

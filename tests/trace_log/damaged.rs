@@ -76,7 +76,7 @@ fn the_log_is_good_before_it_is_damaged() {
 
 #[test]
 fn what_is_no_log_is_told_so() {
-    let no_log = "a.jsonl: this is no log: the first line has no \"kind\":\"trace\"\n  make one";
+    let no_log = "a.jsonl: this is not a log: the first line has no \"kind\":\"trace\"\n  make one";
     refused(b"", no_log);
     refused(b"\n", no_log);
     refused(b"{\"kind\":\"object\",\"name\":\"ball\"}\n", no_log);
@@ -298,7 +298,7 @@ fn a_line_that_was_lost_moved_or_changed_is_told_by_its_numbers() {
     let good = good();
     let lines: Vec<_> = good.lines().collect();
     let with = |lines: &[&str]| lines.join("\n") + "\n";
-    let missing = "step 3 of pixel [0,0] was to follow: a line is missing or out of its place";
+    let missing = "step 3 of pixel [0,0] is missing: a line is lost or in the wrong place";
     let mut lost = lines.clone();
     let at = lines
         .iter()

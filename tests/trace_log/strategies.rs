@@ -253,7 +253,7 @@ fn a_line_of_the_building_that_was_lost_is_told() {
         .and_then(Iterator::collect::<Result<Vec<_>, _>>)
         .unwrap_err()
         .to_string();
-    let expected = "step 1 was to follow: a line is missing or out of its place";
+    let expected = "step 1 is missing: a line is lost or in the wrong place";
     assert!(error.contains(expected), "{error}");
 }
 

@@ -52,7 +52,7 @@ pub(crate) fn built(text: &str) -> Scene {
     loaded.build().unwrap()
 }
 
-/// So few paths that they are followed in no time, and an aperture so wide that some arrive.
+/// So few paths that they are traced in no time, and an aperture so wide that some arrive.
 pub(crate) fn settings(transport: Transport) -> Settings {
     let mut settings = Settings {
         transport,

@@ -12,16 +12,16 @@ pub(crate) struct Drawing {
     /// Folder of the lessons
     #[arg(long, value_name = "DIR", default_value = "lessons")]
     pub(crate) lessons: PathBuf,
-    /// Read scenes that lie outside of their lesson's folder
+    /// Allow scenes outside their lesson's folder
     #[arg(long)]
     pub(crate) allow_outside: bool,
-    /// For the column of a book, or for a slide of 16 : 9 with large letters
+    /// Size: for the column of a book, or for a slide of 16:9 with large letters
     #[arg(long, value_enum, value_name = "FOR", default_value = "book")]
     pub(crate) width: WidthName,
-    /// Shades of grey, for print
+    /// Use shades of grey, for print
     #[arg(long)]
     pub(crate) grayscale: bool,
-    /// Plain colours that every program knows, in place of a page's own
+    /// Use fixed colours, which every program can read, instead of the colours of the web page
     #[arg(long)]
     pub(crate) standalone: bool,
 }
@@ -43,11 +43,11 @@ pub(crate) enum WidthName {
   raystep figure 12-grid/walk --write-log walk.jsonl -o walk.svg
   raystep figure 12-grid/walk --log walk.jsonl -o walk.svg")]
 pub(crate) struct FigureArgs {
-    /// Lesson and figure
+    /// Lesson and figure, such as 12-grid/walk
     #[arg(value_name = "LESSON/NAME")]
     pub(crate) name: FigureName,
-    /// The figure: .svg, or .png and .pdf where this program was built with the feature raster; - is
-    /// standard output
+    /// File of the figure: .svg, or .png and .pdf if this program was built with the feature raster; - is standard
+    /// output
     #[arg(short, long, value_name = "F.svg", default_value = "-")]
     pub(crate) output: PathBuf,
     /// Write PNG
@@ -56,16 +56,16 @@ pub(crate) struct FigureArgs {
     /// Write PDF
     #[arg(long)]
     pub(crate) pdf: bool,
-    /// Show the trace up to this step
+    /// Draw the trace only up to this step of the log
     #[arg(long, value_name = "N", conflicts_with = "steps")]
     pub(crate) step: Option<u32>,
-    /// Write one file for each step that adds something: F-1.svg, F-2.svg, …
+    /// Write a file for each step that adds something to the drawing: F-1.svg, F-2.svg, …
     #[arg(long)]
     pub(crate) steps: bool,
     /// Draw from this log of the figure, without its scene
     #[arg(long, value_name = "F.jsonl")]
     pub(crate) log: Option<PathBuf>,
-    /// Keep the log that the figure is drawn from
+    /// Write the log that the figure is drawn from
     #[arg(long, value_name = "F.jsonl", conflicts_with = "log")]
     pub(crate) write_log: Option<PathBuf>,
     /// How it is drawn.
@@ -80,10 +80,10 @@ pub(crate) struct FigureArgs {
   raystep figures --out figures
   raystep figures --out figures --check")]
 pub(crate) struct FiguresArgs {
-    /// Folder of the figures, one folder for each lesson in it
+    /// Folder for the figures; each lesson gets a folder in it
     #[arg(long, value_name = "DIR", default_value = "figures")]
     pub(crate) out: PathBuf,
-    /// Write nothing; print which of the figures there differ from what would be drawn
+    /// Write nothing; print which figures there differ from what is drawn now
     #[arg(long)]
     pub(crate) check: bool,
     /// Write nothing; print the name of each figure and its caption
@@ -107,7 +107,7 @@ In a chapter:
   {{#raystep-value 12-grid/walk cell.count}}     a number, in running prose
   {{#raystep-compare 12-grid/walk}}              what each strategy costs")]
 pub(crate) struct MdbookArgs {
-    /// What mdBook asks before; without it a book is read from standard input.
+    /// The question of mdBook before it runs; without it a book is read from standard input.
     #[command(subcommand)]
     pub(crate) verb: Option<MdbookVerb>,
 }
@@ -115,9 +115,9 @@ pub(crate) struct MdbookArgs {
 /// What mdBook asks before.
 #[derive(Debug, Subcommand)]
 pub(crate) enum MdbookVerb {
-    /// Is there something for this renderer? Exit 0 for yes.
+    /// Does this preprocessor support a renderer? Exit code 0 means yes.
     Supports {
-        /// Its name
+        /// Name of the renderer
         renderer: String,
     },
 }

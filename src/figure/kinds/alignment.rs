@@ -47,8 +47,8 @@ impl Laid {
         let none = || {
             FigureError::new(
                 "strategy",
-                "the trace of this ray lays no ray along the z axis",
-                "take \"strategy\": \"z-aligned\"",
+                "the trace of this ray has no ray that is turned into the z axis",
+                "add \"strategy\": \"z-aligned\"",
             )
         };
         let frame = events.iter().find_map(|record| match record.event {
@@ -323,7 +323,7 @@ fn in_words(figure: &Figure, laid: &Laid) -> String {
     });
     let hits: Vec<String> = hits.collect();
     if hits.is_empty() {
-        format!("{laid_along} No object is met at x = y = 0.")
+        format!("{laid_along} No object is hit at x = y = 0.")
     } else {
         format!("{laid_along} The z sort: {}.", hits.join(", "))
     }

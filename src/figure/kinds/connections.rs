@@ -121,8 +121,8 @@ impl<'a> Both<'a> {
         let (Some((records, _)), Some(light)) = (found, light) else {
             return Err(FigureError::new(
                 "pixel",
-                "no path of light was connected to one from the eye at this pixel",
-                "take the transport hybrid-connected, and a pixel that sees a diffuse surface",
+                "no path of light was connected with a path from the eye at this pixel",
+                "add \"transport\": \"hybrid-connected\", and name a pixel that shows a diffuse surface",
             ));
         };
         let mut lines = Line::all(light, light.records);
@@ -298,8 +298,8 @@ fn in_words(figure: &Figure, both: &Both) -> String {
     };
     let blocked = both.lines.iter().filter(|line| !line.connection.visible);
     let mut sentences = vec![
-        format!("A path of light from x₀ meets {}.", met(&both.light)),
-        format!("A path from the eye y₀ meets {}.", met(&both.eye)),
+        format!("A path of light from x₀ hits {}.", met(&both.light)),
+        format!("A path from the eye y₀ hits {}.", met(&both.eye)),
         format!(
             "Connecting lines between their vertices: {}, of which {} blocked.",
             both.lines.len(),

@@ -33,8 +33,8 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
     let Some((gathering, radius, rim)) = with_disc else {
         return Err(FigureError::new(
             "pixel",
-            "no photons were gathered one by one at this pixel",
-            "take the transport hybrid-stored without \"map\", and a pixel that sees a diffuse surface",
+            "no photons were gathered at this pixel without a map",
+            "add \"transport\": \"hybrid-stored\" without \"map\", and name a pixel that shows a diffuse surface",
         ));
     };
     let numbers = numbers(gathering);
@@ -64,7 +64,7 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
     });
     let object = scenery::name_of(figure.scene, object);
     Ok(format!(
-        "Photons on {object} around the point p that the eye ray meets. {}.",
+        "Photons on {object} around the point p that the eye ray hits. {}.",
         numbers.join(", ")
     ))
 }
@@ -74,7 +74,7 @@ fn numbers(gathering: &Gathering) -> Vec<String> {
     let near = gathering.nearby.len();
     let counted = gathering.gathered.count;
     let mut lines = vec![format!(
-        "Of the {near} nearest photons {counted} count: the last one ends the disc"
+        "Of the {near} nearest photons {counted} are summed: the last one is where the disc ends"
     )];
     lines.extend(gathering.working());
     lines

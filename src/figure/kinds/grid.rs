@@ -161,14 +161,14 @@ fn legend(
 ) -> Frame {
     let mut entries = Vec::new();
     if figure.shows(Layer::Cells) {
-        entries.push((plan::EMPTY, "cell pierced, empty"));
-        entries.push((plan::LISTED, "with objects"));
+        entries.push((plan::EMPTY, "visited, empty"));
+        entries.push((plan::LISTED, "visited, with objects"));
     }
     if figure.shows(Layer::Tests) {
         let looks: Vec<Look> = tested.iter().map(|of| look(ray, of)).collect();
         let known = [
             (Look::HIT, "hit"),
-            (MET, "hit further off"),
+            (MET, "hit, but farther"),
             (Look::REJECTED, "missed"),
         ];
         entries.extend(known.into_iter().filter(|(look, _)| looks.contains(look)));
@@ -185,7 +185,7 @@ fn in_words(figure: &Figure, ray: &DrawnRay, walk: &Walk) -> String {
     let count = walk.visits.len();
     let cells = if count == 1 { "cell" } else { "cells" };
     let mut sentences = vec![format!(
-        "Ray R pierces {count} {cells} of a grid of {nx} × {ny} × {nz}."
+        "Ray R visits {count} {cells} of a grid of {nx} × {ny} × {nz}."
     )];
     let visits = (1..).zip(&walk.visits);
     sentences.extend(visits.filter_map(|(number, visit)| list_in_words(figure, number, visit)));
@@ -193,10 +193,10 @@ fn in_words(figure: &Figure, ray: &DrawnRay, walk: &Walk) -> String {
     sentences.push(match (met, walk.end) {
         (Some((object, t)), _) => {
             let name = scenery::name_of(figure.scene, object);
-            format!("It meets {name} at t = {}.", quantity(t))
+            format!("It hits {name} at t = {}.", quantity(t))
         }
-        (None, WalkEnd::Outside) => "It passes the grid by.".into(),
-        (None, _) => "It meets nothing.".into(),
+        (None, WalkEnd::Outside) => "It misses the grid.".into(),
+        (None, _) => "It hits no object.".into(),
     });
     sentences.join(" ")
 }

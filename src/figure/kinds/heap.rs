@@ -117,8 +117,8 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
     if turns.is_empty() {
         return Err(FigureError::new(
             "strategy",
-            "no node went into a heap on this ray",
-            "take the strategy heap, and a ray that meets the scene's bound",
+            "no node was put into a heap on this ray",
+            "add \"strategy\": \"heap\", and name a ray that hits the scene's bound",
         ));
     }
     let body = if figure.shows(Layer::Legend) {
@@ -334,8 +334,8 @@ fn in_words(figure: &Figure, turns: &[Turn], tree: &Tree) -> String {
         if turn.is_stop() {
             let t = turn.nearest.map_or(String::new(), |(_, t, _)| quantity(t));
             sentences.push(format!(
-                "The nearest node left, {node}, has key {key}, behind the nearest hit at {t}: the search ends with {} \
-                 more waiting.",
+                "The nearest waiting node, {node}, has key {key}, behind the nearest hit at {t}: the search ends; \
+                 {} more waited.",
                 turn.waiting.len()
             ));
             continue;
@@ -343,7 +343,7 @@ fn in_words(figure: &Figure, turns: &[Turn], tree: &Tree) -> String {
         let pushed = turn.waiting.iter().filter(|entry| turn.is_new(entry));
         let pushed: Vec<String> = pushed.map(|entry| entry.node.to_string()).collect();
         let tested = turn.tested.iter().map(|(id, _, is_hit)| {
-            let verdict = if *is_hit { "met" } else { "missed" };
+            let verdict = if *is_hit { "hit" } else { "missed" };
             format!("{} is {verdict}", scenery::name_of(figure.scene, *id))
         });
         let tested: Vec<String> = tested.collect();

@@ -90,7 +90,7 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
     {
         return Err(FigureError::new(
             "scene",
-            "the log does not say how many tests each ray took",
+            "the log does not have the number of tests of each ray",
             "trace the figure again, or write the log with its ray_end lines",
         ));
     }
@@ -126,7 +126,7 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
     }
     if 1 < maps.len() {
         let scales = if one_scale {
-            "All maps have one scale."
+            "All maps have the same scale."
         } else {
             "Each map has its own scale."
         };

@@ -53,16 +53,16 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
     if visits.order.is_empty() {
         return Err(FigureError::new(
             "ray",
-            "the ray comes to no node",
-            "name a ray that is searched for, in a scene with objects",
+            "the ray visits no node",
+            "name a ray that is tested against objects, in a scene with objects",
         ));
     }
     let nodes = hierarchy.nodes().len();
     if MOST_NODES < nodes {
         return Err(FigureError::new(
             "scene",
-            format!("the tree of {nodes} nodes is larger than a page can show"),
-            format!("take a scene with fewer objects: a figure has room for {MOST_NODES} nodes"),
+            format!("the tree has {nodes} nodes, more than a page has room for"),
+            format!("draw a scene with fewer objects: a figure has room for {MOST_NODES} nodes"),
         ));
     }
     let walk = Walk {
@@ -263,7 +263,7 @@ impl Walk<'_> {
             let what = match self.visits.nodes[number as usize].verdict {
                 Verdict::Entered => "is entered",
                 Verdict::Rejected => "is rejected",
-                Verdict::Pruned => "is pruned, since it begins behind a hit",
+                Verdict::Pruned => "is pruned, since it begins behind the nearest hit",
                 Verdict::Waiting | Verdict::Unreached => continue,
             };
             let of: Vec<String> = node
@@ -281,15 +281,15 @@ impl Walk<'_> {
         let unreached = self.visits.count(Verdict::Unreached);
         if 0 < unreached {
             sentences.push(format!(
-                "{unreached} of {} nodes are never reached.",
+                "{unreached} of {} nodes are never visited.",
                 self.visits.nodes.len()
             ));
         }
         sentences.push(match met(&self.ray) {
             Some((object, _)) => {
-                format!("The ray meets {}.", scenery::name_of(figure.scene, object))
+                format!("The ray hits {}.", scenery::name_of(figure.scene, object))
             }
-            None => "The ray meets nothing.".into(),
+            None => "The ray hits no object.".into(),
         });
         sentences.join(" ")
     }

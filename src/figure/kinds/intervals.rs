@@ -43,7 +43,7 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
             (COMMON, "max near to min far so far"),
         ];
         if found.tests.len() < all.len() {
-            entries.push((Look::CULLED, "not looked at"));
+            entries.push((Look::CULLED, "not tested"));
         }
         sheet.legend(body, &entries)
     } else {
@@ -99,8 +99,8 @@ fn along_the_ray(figure: &Figure, ray: &Ray) -> Result<Projection, FigureError> 
     if across.length() < SHORT {
         return Err(FigureError::new(
             "view",
-            "the ray is seen from its end, and t has no direction",
-            "take another view",
+            "the view is along the ray, so t has no direction in it",
+            "choose another \"view\"",
         ));
     }
     Ok(Projection::new(across, towards.cross(across)))
@@ -201,7 +201,7 @@ fn geometry(
 
 fn in_words(figure: &Figure, found: &SlabTests, slabs: usize) -> String {
     let mut sentences = vec![format!(
-        "The ray and the slabs around {}, one after the other.",
+        "The ray and the slabs of {}, one after the other.",
         bounded(figure, found.of)
     )];
     for (_, test) in &found.tests {
@@ -210,25 +210,25 @@ fn in_words(figure: &Figure, found: &SlabTests, slabs: usize) -> String {
         let (near, far) = (quantity(step.max_near), quantity(step.min_far));
         sentences.push(match (step.interval, step.verdict) {
             (SlabInterval::Between { near: a, far: b }, SlabVerdict::Null) => format!(
-                "Slab {number}: near {}, far {}; the largest near, {near}, is above the smallest far, {far}: null.",
+                "Slab {number}: near {}, far {}; max near {near} > min far {far}: null intersection.",
                 quantity(a),
                 quantity(b)
             ),
             (SlabInterval::Between { near: a, far: b }, _) => format!(
-                "Slab {number}: near {}, far {}; largest near {near}, smallest far {far}.",
+                "Slab {number}: near {}, far {}; max near {near} ≤ min far {far}.",
                 quantity(a),
                 quantity(b)
             ),
             (_, SlabVerdict::ParallelOutside | SlabVerdict::Null) => {
-                format!("Slab {number}: parallel and outside: null.")
+                format!("Slab {number}: parallel and outside: null intersection.")
             }
             _ => format!("Slab {number}: parallel and inside."),
         });
     }
     match slabs.saturating_sub(found.tests.len()) {
         0 => {}
-        1 => sentences.push("One more slab is not looked at.".into()),
-        left => sentences.push(format!("{left} more slabs are not looked at.")),
+        1 => sentences.push("One more slab is not tested.".into()),
+        left => sentences.push(format!("{left} more slabs are not tested.")),
     }
     sentences.join(" ")
 }

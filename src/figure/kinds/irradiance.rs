@@ -68,12 +68,12 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
         return Err(FigureError::new(
             "transport",
             "no light was gathered at any pixel",
-            "take the transport hybrid-stored, and a scene with diffuse surfaces",
+            "add \"transport\": \"hybrid-stored\", and draw a scene with diffuse surfaces",
         ));
     };
     let line = sheet.line_height();
     let mut sentences = vec![format!(
-        "The irradiance of what each pixel sees: up to {} W/m².",
+        "The irradiance at the surface in each pixel: at most {} W/m².",
         quantity(most)
     )];
     let mut body = body;
@@ -85,7 +85,7 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
             return Err(FigureError::new(
                 "pixel",
                 "no light was gathered at this pixel",
-                "name one that sees a diffuse surface",
+                "name a pixel that shows a diffuse surface",
             ));
         };
         let numbers = numbers(*pixel, gathering);

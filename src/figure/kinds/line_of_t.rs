@@ -133,8 +133,8 @@ fn find(figure: &Figure) -> Result<Line, FigureError> {
         }
         _ => Err(FigureError::new(
             "ray",
-            "this kind of figure draws an eye ray, and this ray does not pass the window",
-            "leave \"ray\" out, or name an eye ray",
+            "this kind of figure draws an eye ray, and this ray is not one",
+            "omit \"ray\", or name an eye ray",
         )),
     }
 }
@@ -310,7 +310,7 @@ fn in_words(figure: &Figure, line: &Line) -> String {
     let (origin, delta) = (line.to_window.origin, line.to_window.direction);
     let start = format!(
         "The ray starts at the COP {} with Δ = {} of length {}. t is 0 at the COP, negative behind it, and 1 on the \
-         window if Δ is left as it is; with |Δ| = 1 the window is at t = {}.",
+         window if Δ is not normalised; with |Δ| = 1 the window is at t = {}.",
         coordinates(origin),
         coordinates(delta),
         quantity(delta.length()),
@@ -318,7 +318,7 @@ fn in_words(figure: &Figure, line: &Line) -> String {
     );
     match (line.end.t, line.end.object) {
         (Some(t), Some(id)) => format!(
-            "{start} It meets {} at t = {}, or {}.",
+            "{start} It hits {} at t = {}, or {}.",
             scenery::name_of(figure.scene, id),
             quantity(t / window_t),
             quantity(t),

@@ -157,7 +157,7 @@ impl Joined {
             return Err(FigureError::new(
                 "scene",
                 "no two bounds were joined while the hierarchy was built",
-                "take a scene of two objects or more",
+                "draw a scene with two or more objects",
             ));
         };
         let mut steps = merges;

@@ -71,8 +71,8 @@ impl<'a> Shown<'a> {
         if paths.is_empty() {
             return Err(FigureError::new(
                 "paths",
-                "the log holds no path of light",
-                "take a \"transport\" that follows light and show some: \"paths\": 20",
+                "the log has no path of light",
+                "add a \"transport\" that traces light, and show some paths: \"paths\": 20",
             ));
         }
         Ok(Self {
@@ -107,7 +107,7 @@ impl<'a> Shown<'a> {
         let first = figure.spec.paths.map_or(0, u64::from);
         match of.checked_sub(first) {
             Some(others) if 0 < first && 0 < others => format!(
-                "The first {} of {all} paths of light, and {} sought out that the pixels shown see",
+                "The first {} of {all} paths of light, and {} more that arrive at the pixels shown",
                 grouped(first),
                 grouped(others)
             ),
@@ -117,9 +117,9 @@ impl<'a> Shown<'a> {
 
     fn legend(&self, figure: &Figure) -> Vec<(Look, String)> {
         let words = |of: Use| match (of, self.transport) {
-            (Use::Seen, Transport::HybridStored) => "leads to one of the nearest photons",
+            (Use::Seen, Transport::HybridStored) => "stores one of the nearest photons",
             (Use::Seen, _) => "reaches the eye",
-            (Use::Stored, _) => "leads to another photon",
+            (Use::Stored, _) => "stores another photon",
             (Use::Wasted, _) => "wasted",
         };
         let is_there = |of: &Use| self.paths.iter().any(|(_, uses)| uses.contains(of));
@@ -385,15 +385,12 @@ fn in_words(figure: &Figure, shown: &Shown) -> String {
                 of - are
             ));
             if !through.is_empty() {
-                sentences.push(format!(
-                    "They are seen in the pixels {}.",
-                    through.join(", ")
-                ));
+                sentences.push(format!("They arrive at the pixels {}.", through.join(", ")));
             }
         }
         _ => {
             let stored = grouped(shown.stored() as u64);
-            sentences.push(format!("They leave {stored} photons on surfaces."));
+            sentences.push(format!("They store {stored} photons on surfaces."));
             for (_, gatherings) in &shown.pixels {
                 sentences.extend(gatherings.iter().map(|of| gathered_in_words(figure, of)));
             }
@@ -410,7 +407,7 @@ fn gathered_in_words(figure: &Figure, gathering: &Gathering) -> String {
         .radius
         .map_or(String::new(), |r| format!(" within {}", quantity(r)));
     format!(
-        "An eye ray meets {object}; there {} photons count{within}: {}.",
+        "An eye ray hits {object}; there {} photons are summed{within}: {}.",
         gathering.gathered.count,
         gathering.working().join(" ")
     )

@@ -18,7 +18,7 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
     if figure.first.picture().iter().all(Option::is_none) {
         return Err(FigureError::new(
             "kind",
-            "the log holds the colour of no pixel",
+            "the log has no colour of a pixel",
             "trace the figure again",
         ));
     }

@@ -104,7 +104,7 @@ fn find(figure: &Figure) -> Result<Vec<Seen>, FigureError> {
             return Err(FigureError::new(
                 "pixels",
                 format!(
-                    "more than {} lines through one pinhole are no figure",
+                    "more than {} lines through one pinhole cannot be told apart",
                     NAMES.len()
                 ),
                 "name fewer pixels",
@@ -126,9 +126,9 @@ fn find(figure: &Figure) -> Result<Vec<Seen>, FigureError> {
             return Err(FigureError::new(
                 "pixels",
                 format!(
-                    "the eye ray through pixel {x},{y} meets nothing: there is no point to show the image of"
+                    "the eye ray through pixel {x},{y} hits no object, so there is no point whose image can be drawn"
                 ),
-                "name a pixel in which an object is seen",
+                "name a pixel that shows an object",
             ));
         };
         seen.push(Seen {
@@ -361,7 +361,7 @@ fn in_words(figure: &Figure, of: &Seen) -> String {
         ["lower", "upper"]
     };
     format!(
-        "A point of {object} is seen in the {here} half of the window, in pixel ({x}, {y}); the same line meets the \
+        "A point of {object} is in the {here} half of the window, in pixel ({x}, {y}); the same line hits the \
          negative in its {there} half."
     )
 }

@@ -121,7 +121,7 @@ fn look(purpose: Purpose) -> Look {
 fn name(purpose: Purpose) -> &'static str {
     match purpose {
         Purpose::Eye => "eye ray",
-        Purpose::Shadow => "ray to the light",
+        Purpose::Shadow => "shadow ray",
         Purpose::Reflected => "reflected",
         Purpose::Refracted => "refracted",
         Purpose::Scattered => "scattered",
@@ -245,25 +245,25 @@ fn in_words(figure: &Figure, node: &RayNode) -> Option<String> {
         .light
         .and_then(|light| figure.scene.lights.get(light as usize));
     let to_light = lamp.map_or(String::new(), |light| {
-        format!(" {}", scenery::short(&light.name))
+        format!(" \"{}\"", scenery::short(&light.name))
     });
     let what = match start.purpose {
         Purpose::Eye => "The eye ray".into(),
-        Purpose::Shadow => format!("The ray to the light{to_light}"),
+        Purpose::Shadow => format!("The shadow ray to light{to_light}"),
         Purpose::Reflected => "The reflected ray".into(),
         Purpose::Refracted => "The refracted ray".into(),
         Purpose::Scattered => "The scattered ray".into(),
-        Purpose::Light => format!("The path of light{to_light}"),
+        Purpose::Light => format!("The path from light{to_light}"),
         Purpose::Connection => "The connecting line".into(),
     };
     Some(match end.verdict {
-        RayVerdict::Hit => format!("{what} meets {object}."),
+        RayVerdict::Hit => format!("{what} hits {object}."),
         RayVerdict::Miss => format!("{what} misses all objects."),
         RayVerdict::Blocked => format!("{what} is blocked by {object}."),
-        RayVerdict::ReachesLight => format!("{what} arrives."),
+        RayVerdict::ReachesLight => format!("{what} reaches the light."),
         RayVerdict::DepthLimit => format!("{what} is not traced: the depth limit is reached."),
         RayVerdict::Absorbed => format!("{what} is absorbed by {object}."),
         RayVerdict::CutOff => format!("{what} is cut off at {object}."),
-        RayVerdict::Connects => format!("{what} meets nothing."),
+        RayVerdict::Connects => format!("{what} hits no object."),
     })
 }

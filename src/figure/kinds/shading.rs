@@ -79,8 +79,8 @@ fn find<'a>(figure: &Figure<'a>) -> Result<Point<'a>, FigureError> {
     let (Some((shade, shade_step)), Some(start)) = (shade, drawn.node.start) else {
         return Err(FigureError::new(
             "pixel",
-            "the ray meets nothing that could be shaded",
-            "name a pixel, or a \"ray\" of it, that meets an object",
+            "the ray hits no object, so no point is shaded",
+            "name a pixel, or a \"ray\" of it, that hits an object",
         ));
     };
     let terms = drawn
@@ -95,8 +95,8 @@ fn find<'a>(figure: &Figure<'a>) -> Result<Point<'a>, FigureError> {
     let Some(&(light, light_step)) = terms.iter().find(counts).or(terms.first()) else {
         return Err(FigureError::new(
             "scene",
-            "the scene has no light: a shade without light has no terms to show",
-            "give the scene a light",
+            "the scene has no light, so the shade has no terms to draw",
+            "add a light to the scene",
         ));
     };
     let to_light = light.term.to_light;
@@ -195,7 +195,7 @@ fn rows(point: &Point) -> Vec<Row> {
     let mut rows = vec![
         ("N", "normal".into(), shade_step),
         ("L", "to the light".into(), light_step),
-        ("R", "L mirrored at N".into(), light_step),
+        ("R", "L reflected at N".into(), light_step),
         ("V", "to the viewer".into(), shade_step),
         ("", String::new(), light_step),
         ("N·L", cosine("θ", term.n_dot_l), light_step),
@@ -249,17 +249,17 @@ fn in_words(figure: &Figure, point: &Point) -> String {
     let object = scenery::name_of(figure.scene, shade.object);
     let light = figure.scene.lights.get(point.light.light as usize);
     let light = light.map_or(String::new(), |light| {
-        format!(" of {}", scenery::short(&light.name))
+        format!(" \"{}\"", scenery::short(&light.name))
     });
     let seen = match point.light.visibility {
-        Visibility::Visible => "It arrives.",
-        Visibility::Shadowed => "It is blocked: the point is in shadow.",
-        Visibility::FacesAway => "The surface faces away from it.",
-        Visibility::NotTested => "No ray is cast to it.",
+        Visibility::Visible => "The light is visible.",
+        Visibility::Shadowed => "The light is blocked: the point is in shadow.",
+        Visibility::FacesAway => "The surface faces away from the light.",
+        Visibility::NotTested => "No shadow ray is cast.",
     };
     format!(
-        "On {object} the light{light} comes in at {} to the normal: N·L = {}. {seen} \
-         Its mirror image R is at {} to the viewer: R·V = {}. \
+        "On {object} the vector L to light{light} is at {} to the normal: N·L = {}. {seen} \
+         The reflected R is at {} to the viewer: R·V = {}. \
          Ambient {}, diffuse {}, specular {}; in sum {}.",
         degrees(term.n_dot_l),
         quantity(term.n_dot_l),

@@ -59,7 +59,7 @@ impl<'a> SlabTests<'a> {
             FigureError::new(
                 "structure",
                 "no slab was tested on this ray",
-                "take the strategy bounds with \"structure\": { \"volume\": \"slabs\", \"slabs\": \"scene\" }",
+                "add \"strategy\": \"bounds\" with \"structure\": { \"volume\": \"slabs\", \"slabs\": \"scene\" }",
             )
         })?;
         let mut tests: Vec<(u32, SlabTest)> = Vec::new();
@@ -119,8 +119,8 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
     if slabs.is_empty() {
         return Err(FigureError::new(
             "view",
-            "no slab is seen from its edge in this view",
-            "take the view front, and directions [A, B] in the scene's \"slabs\"",
+            "no slab is perpendicular to this view",
+            "choose the \"view\" front, and directions [A, B] in the scene's \"slabs\"",
         ));
     }
 
@@ -327,7 +327,7 @@ pub(super) fn bounded(figure: &Figure, of: Bounded) -> String {
 
 fn in_words(figure: &Figure, of: Bounded, slabs: &[(u32, Slab)]) -> String {
     let mut sentences = vec![format!(
-        "The bound of {}: the intersection of its slabs, of which {} are seen from their edges.",
+        "The bound of {}: the intersection of its slabs, of which {} are perpendicular to the view.",
         bounded(figure, of),
         slabs.len()
     )];

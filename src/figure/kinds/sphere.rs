@@ -68,8 +68,8 @@ impl Solved {
         let none = || {
             FigureError::new(
                 "object",
-                "the trace of this ray has no such test of a sphere",
-                "name a sphere that the ray is tested against, or leave it out for the first one",
+                "this ray is not tested against such a sphere",
+                "name a sphere that the ray is tested against, or omit \"object\" for the first one",
             )
         };
         let is_asked = |object| asked.is_none_or(|asked| asked == object);
@@ -242,10 +242,10 @@ fn working_of_normal(
         FigureError::new(
             "show",
             format!(
-                "the ray does not shade {}: it has no normal there",
+                "{} is not shaded by this ray, so it has no normal there",
                 scenery::name_of(figure.scene, solved.id)
             ),
-            "name a pixel in which it is the nearest object, or leave normals out",
+            "name a pixel in which it is the nearest object, or omit normals",
         )
     })?;
     let [drawing, lines] = frame.split_top(frame.size().y - 2.0 * sheet.line_height());
@@ -301,14 +301,18 @@ fn quadratic(figure: &Figure, sheet: &mut Sheet, frame: Frame, solved: &Solved) 
         };
         let texts = if numbers {
             let Sphere { center, radius } = solved.sphere;
-            let (a, b, c) = (quantity(a), term(b), term(c));
+            let (a, b, c) = (
+                times(a, "t²"),
+                further(&times(b, "t")),
+                further(&quantity(c)),
+            );
             vec![
                 format!(
                     "(a, b, c) = {}, r = {}",
                     coordinates(center),
                     quantity(radius)
                 ),
-                format!("y = {a}·t² {b}·t {c} … (iii)"),
+                format!("y = {a} {b} {c} … (iii)"),
                 format!("discriminant {}: {count}", quantity(value)),
             ]
         } else {
@@ -325,11 +329,20 @@ fn quadratic(figure: &Figure, sheet: &mut Sheet, frame: Frame, solved: &Solved) 
     });
 }
 
+/// A coefficient with its variable, which stands alone if the coefficient is 1.
+fn times(value: f64, variable: &str) -> String {
+    match quantity(value).as_str() {
+        "1" => variable.into(),
+        "−1" => format!("{MINUS}{variable}"),
+        number => format!("{number}·{variable}"),
+    }
+}
+
 /// A further term of a sum.
-fn term(value: f64) -> String {
-    match quantity(value).strip_prefix(MINUS) {
+fn further(term: &str) -> String {
+    match term.strip_prefix(MINUS) {
         Some(positive) => format!("{MINUS} {positive}"),
-        None => format!("+ {}", quantity(value)),
+        None => format!("+ {term}"),
     }
 }
 
@@ -343,7 +356,7 @@ fn in_words(figure: &Figure, solved: &Solved) -> String {
     let discriminant = quantity(solved.test.discriminant);
     let found = match solved.test.roots {
         Roots::None => format!(
-            "The discriminant is {discriminant}: no real root, the parabola does not meet the axis, \
+            "The discriminant is {discriminant}: no real root, the parabola does not reach the axis, \
              and the ray misses the sphere."
         ),
         Roots::Graze(_) | Roots::Linear(_) => format!(

@@ -33,8 +33,8 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
     if walk.visits.is_empty() {
         return Err(FigureError::new(
             "pixel",
-            "the ray passes the grid by",
-            "choose a pixel whose ray pierces a cell",
+            "the ray misses the grid",
+            "name a pixel whose ray visits a cell",
         ));
     }
     let rows: Vec<Row> = (0..walk.visits.len())
@@ -222,7 +222,7 @@ impl Table {
             let most = ((frame.size().y / em - HEAD) / ROW).floor();
             return Err(FigureError::new(
                 "pixel",
-                format!("the ray pierces {rows} cells, and the table has room for {most}"),
+                format!("the ray visits {rows} cells, and the table has room for {most}"),
                 "choose another pixel, or a coarser grid with \"structure\": {\"grid\": {\"resolution\": …}}",
             ));
         }
@@ -312,8 +312,8 @@ fn in_words(walk: &Walk, rows: &[Row]) -> String {
         let across: Vec<&str> = row.chosen.iter().map(|&axis| ["x", "y", "z"][axis]).collect();
         let t_out = quantity(walk.visits[place].cell.t_out);
         let then = match across.as_slice() {
-            [] => "the walk ends with a hit".into(),
-            _ if row.then == "leaves" => format!("it leaves the grid at t = {t_out}"),
+            [] => "the traversal ends with a hit".into(),
+            _ if row.then == "leaves" => format!("the ray leaves the grid at t = {t_out}"),
             _ => format!("the smallest is across {}: {}", across.join(" and "), row.then),
         };
         format!(

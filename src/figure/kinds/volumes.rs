@@ -33,30 +33,30 @@ pub(super) const KIND: Kind = Kind {
 /// What became of a ray.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Verdict {
-    /// It met the volume and the object.
+    /// It hits the volume and the object.
     Hit,
-    /// It met the volume: the object was tested in vain.
-    InVain,
-    /// It did not meet the volume: the object was not tested.
+    /// It hits the volume and misses the object: the test of the object is wasted.
+    Wasted,
+    /// It misses the volume: the object is not tested.
     Rejected,
 }
 
 impl Verdict {
-    const ALL: [Self; 3] = [Self::Hit, Self::InVain, Self::Rejected];
+    const ALL: [Self; 3] = [Self::Hit, Self::Wasted, Self::Rejected];
 
     fn look(self) -> Look {
         match self {
             Self::Hit => Look::HIT.outline(),
-            Self::InVain => Look::REJECTED.outline(),
+            Self::Wasted => Look::REJECTED.outline(),
             Self::Rejected => Look::CULLED,
         }
     }
 
     fn words(self) -> &'static str {
         match self {
-            Self::Hit => "meets the object",
-            Self::InVain => "tested in vain",
-            Self::Rejected => "rejected by the volume",
+            Self::Hit => "object hit",
+            Self::Wasted => "wasted test",
+            Self::Rejected => "volume missed",
         }
     }
 }
@@ -142,8 +142,8 @@ fn bounded_object(figure: &Figure) -> Result<usize, FigureError> {
 fn no_volumes() -> FigureError {
     FigureError::new(
         "strategy",
-        "the trace of this ray has no test of a volume around an object",
-        "take \"strategy\": \"bounds\"",
+        "this ray is tested against no volume around an object",
+        "add \"strategy\": \"bounds\"",
     )
 }
 
@@ -212,7 +212,7 @@ fn tested(scene: &Scene, ray: &DrawnRay, number: usize) -> Option<Tested> {
         });
     let verdict = match (bound.verdict, nearest) {
         (BoundVerdict::Hit, Some(_)) => Verdict::Hit,
-        (BoundVerdict::Hit, None) => Verdict::InVain,
+        (BoundVerdict::Hit, None) => Verdict::Wasted,
         _ => Verdict::Rejected,
     };
     Some(Tested {
@@ -270,11 +270,14 @@ fn rays(count: usize) -> String {
 fn title_of(figure: &Figure, panel: &Panel) -> String {
     let mut title = format!("{}: {} empty", name(panel.kind), percent(panel.wasted));
     if figure.shows(Layer::Ray) {
-        let in_vain = panel
+        let wasted_tests = panel
             .rays
             .iter()
-            .filter(|ray| ray.verdict == Verdict::InVain);
-        title = format!("{title}, {} in vain", rays(in_vain.count()));
+            .filter(|ray| ray.verdict == Verdict::Wasted);
+        title = match wasted_tests.count() {
+            1 => format!("{title}, 1 wasted test"),
+            count => format!("{title}, {count} wasted tests"),
+        };
     }
     title
 }
@@ -303,7 +306,7 @@ fn draw_panel(figure: &Figure, sheet: &mut Sheet, stage: &Stage, panel: &Panel, 
             let to = place(tested.t.unwrap_or(edge));
             sheet.step(tested.step, |sheet| {
                 sheet.arrow(tested.verdict.look(), place(0.0), to);
-                if let (Verdict::InVain, Some([near, far])) = (tested.verdict, tested.bound.inside)
+                if let (Verdict::Wasted, Some([near, far])) = (tested.verdict, tested.bound.inside)
                 {
                     let solid = Look {
                         dash: Dash::Solid,
@@ -331,7 +334,7 @@ fn in_words(figure: &Figure, panel: &Panel) -> String {
                 .filter(|ray| ray.verdict == verdict)
                 .count();
             if 0 < count {
-                sentence = format!("{sentence}, {} {}", rays(count), verdict.words());
+                sentence = format!("{sentence}, {}: {}", verdict.words(), rays(count));
             }
         }
     }

@@ -227,7 +227,7 @@ fn in_words(figure: &Figure, [x, y]: [u32; 2], tree: &RayTree) -> String {
     let [width, height] = figure.scene.camera.pixels;
     let met = tree.rays.first().and_then(|node| node.end?.object);
     let met = met.map_or("misses all objects".into(), |id| {
-        format!("meets {}", scenery::name_of(figure.scene, id))
+        format!("hits {}", scenery::name_of(figure.scene, id))
     });
     format!(
         "The window has {width} × {height} pixels. The eye ray from the COP through the centre of pixel ({x}, {y}) \

@@ -223,8 +223,8 @@ pub(in crate::figure) fn hierarchy(traced: &Traced) -> Result<Hierarchy<MOST_SLA
     if !strategies.contains(&traced.settings.strategy) {
         return Err(FigureError::new(
             "strategy",
-            "this kind of figure draws a hierarchy, and the strategy builds none",
-            "take the strategy hierarchy or heap",
+            "this kind of figure draws a hierarchy, and the strategy builds no hierarchy",
+            "add \"strategy\": \"hierarchy\" or \"heap\"",
         ));
     }
     let build = traced.settings.structure.build;

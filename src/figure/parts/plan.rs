@@ -242,8 +242,8 @@ pub(in crate::figure) fn depth_axis(figure: &Figure) -> Result<usize, FigureErro
     axis.ok_or_else(|| {
         FigureError::new(
             "view",
-            "a grid in 2D is seen along one of its axes",
-            "choose the view top, front or side",
+            "a figure of a grid in 2D needs a view along one of its axes",
+            "choose the \"view\" top, front or side",
         )
     })
 }

@@ -138,18 +138,20 @@ pub(in crate::figure) fn in_words(records: &[Record], node: &RayNode) -> Option<
     let Some(refraction) = met.refraction else {
         let is_mirror = 0.0 < met.shade.reflection;
         return is_mirror.then(|| {
-            format!("It comes in at {incident} to the normal N and is reflected at {incident}.")
+            format!(
+                "The ray comes in at {incident} to the normal N and is reflected at {incident}."
+            )
         });
     };
     let (from, to) = (refraction.index_from, refraction.index_to);
     let indices = format!("from index {} to {}", quantity(from), quantity(to));
     Some(if refraction.direction.is_some() {
         let behind = degrees(refraction.cos_refracted_squared.max(0.0).sqrt());
-        format!("It goes {indices}: {incident} to the normal N before, {behind} behind.")
+        format!("The ray goes {indices}: {incident} to the normal N before, {behind} after.")
     } else {
         let critical = quantity(critical_angle(refraction));
         format!(
-            "It would go {indices}, but {incident} to the normal N is beyond the critical angle of {critical}°: \
+            "The ray would go {indices}, but {incident} to the normal N is beyond the critical angle of {critical}°: \
              total internal reflection."
         )
     })

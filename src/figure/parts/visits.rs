@@ -54,9 +54,9 @@ impl Verdict {
         match self {
             Self::Entered => "entered",
             Self::Rejected => "rejected",
-            Self::Pruned => "pruned: behind a hit",
+            Self::Pruned => "pruned: behind the hit",
             Self::Waiting => "left waiting",
-            Self::Unreached => "never reached",
+            Self::Unreached => "never visited",
         }
     }
 }

@@ -40,7 +40,11 @@ pub(in crate::figure) fn around_object(
         SlabChoice::Scene => {
             let own = figure.scene.slabs.as_deref().unwrap_or_default();
             let set = SlabSet::of(own).map_err(|error| {
-                FigureError::new("structure", error.to_string(), "change the scene's slabs")
+                FigureError::new(
+                    "structure",
+                    error.to_string(),
+                    "change the scene's \"slabs\"",
+                )
             })?;
             around(figure.scene, number, options.volume, &set, &projection)
         }

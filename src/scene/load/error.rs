@@ -104,7 +104,7 @@ impl fmt::Display for LoadError {
             }
             Self::Outside { place, name } => write!(
                 f,
-                "{place}: the file {name:?} lies outside of the folder of the file that names it\n  move it there, or \
+                "{place}: the file {name:?} is outside the folder of the file that names it\n  move it there, or \
                  allow files outside of it"
             ),
             Self::Fault { place, fault } => write!(f, "{place}: {fault}\n  {}", fault.fix()),

@@ -68,7 +68,7 @@ fn unreadable_mesh(place: Place, mesh: &str, error: &LoadError) -> LoadError {
     LoadError::Form {
         place,
         what: format!("the mesh file {mesh:?} cannot be read: {why}"),
-        fix: "name an OBJ file; its folder is counted from that of the scene".into(),
+        fix: "name an OBJ file; its path is relative to the folder of the scene".into(),
         schema: None,
     }
 }
@@ -103,10 +103,7 @@ fn form_error(file: &str, path: &str, error: &serde_json::Error, schema: SchemaO
         )
         .replace("expected struct ", "expected the keys of ")
         .replace("EOF while parsing", "the file ends in the middle of")
-        .replace(
-            "trailing characters",
-            "something follows where an end was expected",
-        )
+        .replace("trailing characters", "unexpected text follows the end")
         .replace("expected f64", "expected a number")
         .replace("expected u32", "expected a whole number of 0 or more")
         .replace("unknown variant", "unknown name")

@@ -106,12 +106,12 @@ impl Reader<'_> {
         let (what, fix) = match self.words.before() {
             Some(of) if looks_like_number(word) => (
                 format!(
-                    "{name} is one number too many for {} of line {}",
+                    "{name} is one number too many for {} in line {}",
                     of.what, of.line
                 ),
                 of.form,
             ),
-            _ if key_and_path(word).is_some() => (format!("{name} stands outside a view"), VIEW),
+            _ if key_and_path(word).is_some() => (format!("{name} is outside a view"), VIEW),
             _ => (
                 format!("{name} is not an entity of NFF"),
                 "begin an entity with v, b, l, f, s, p, pp or c, and a comment with #",
@@ -310,12 +310,12 @@ mod tests {
             "8: q 1 => : \"q\" is not an entity of NFF\n  begin an entity with v, b, l, f, s, p, pp",
             "8: up 0 0 1 => : \"up\" is given twice, first in line 4\n  remove one of them",
             "9: b 0 0 0;b 1 1 1 => : the background is given twice, first in line 8",
-            "8: b 0 0 0 9 => : \"9\" is one number too many for the background of line 8\n  a backgr",
+            "8: b 0 0 0 9 => : \"9\" is one number too many for the background in line 8\n  a backgr",
             "9: b 0 0 0;v => : the view is given twice, first in line 1",
-            "9: b 0 0 0;at 0 0 0 => : \"at\" stands outside a view",
+            "9: b 0 0 0;at 0 0 0 => : \"at\" is outside a view",
             "8: l 1 2 3 1 => : the file ends inside the light that begins in line 8: 2 numbers are",
             "9: F;p 2 0 0 0 1 0 0 => , at objects[0].shape.polygon: a polygon needs at least 3 ver",
-            "9: F;p -3 => : \"-3\" is no whole number, or too large for the polygon\n  a polygon is",
+            "9: F;p -3 => : \"-3\" is not a whole number, or is too large for the polygon\n  a polygon is",
             "9: F;p 99999999999 1 2 3 4 => : the file ends inside the polygon that begins in line 9: \
              299999999993 numbers are missing\n  add the rest; a polygon",
             "9: F;pp 3 0 0 0 0 0 1 1 0 0 0 0 0 0 1 0 0 0 1 => , at objects[0].shape.polygon: the nor",

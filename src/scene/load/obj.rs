@@ -244,7 +244,7 @@ impl Reader<'_> {
         let mut notes = Vec::new();
         for (n, what) in [
             (self.divided, "is not planar and was cut into triangles"),
-            (self.flat, "has no area and was left out"),
+            (self.flat, "has no area and was ignored"),
             (self.bare, "has a normal of length 0 and is shaded flat"),
         ] {
             let many = what.replace("is ", "are ").replace("has ", "have ");
@@ -320,7 +320,7 @@ mod tests {
             notes,
             [
                 "m.obj: 1 face is not planar and was cut into triangles",
-                "m.obj: 2 faces have no area and were left out",
+                "m.obj: 2 faces have no area and were ignored",
                 "m.obj: its materials are not read"
             ]
         );
@@ -351,7 +351,7 @@ mod tests {
             "f 1 2 => a polygon needs at least 3 vertices, here are 2",
             "f 1 2 3.5 => \"3.5\" is not a corner of a face\n  a face is written f and",
             "f 1/2/ 2 3 => \"1/2/\" is not a corner of a face",
-            "v 1 2 => a vertex has 3 to 7 numbers, and here are 2\n  a vertex is written v x y z",
+            "v 1 2 => a vertex has 3 to 7 numbers, and there are 2\n  a vertex is written v x y z",
             "v 1 2 1e60 => 1e60 is too large\n  keep every number within ±1e50",
             "vt nan => \"nan\" is not a finite number",
             "vertex 1 => \"vertex\" is not a keyword of OBJ\n  correct it",

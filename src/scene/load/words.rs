@@ -121,7 +121,7 @@ impl<'a> Words<'a> {
         let word = self.next_of(entity, entity.later.saturating_add(1))?;
         word.text.parse().map_err(|_| {
             let what = format!(
-                "{} is no whole number, or too large for {}",
+                "{} is not a whole number, or is too large for {}",
                 quoted(word.text),
                 entity.what
             );
@@ -179,7 +179,7 @@ pub(super) fn numbers_of(
     } = *entity;
     if !counts.contains(&words.len()) {
         let (least, most, here) = (counts.start(), counts.end(), words.len());
-        let what = format!("{what} has {least} to {most} numbers, and here are {here}");
+        let what = format!("{what} has {least} to {most} numbers, and there are {here}");
         return Err(form_error(file, line, what, form));
     }
     let mut numbers = [0.0; 3];
@@ -236,7 +236,7 @@ fn number<'a>(word: Word<'_>, form: &'a str) -> Result<f64, (String, Cow<'a, str
         Err(_) => Err((
             format!("{} is not a number", quoted(word.text)),
             match word.text.replace(',', ".").parse::<f64>() {
-                Ok(_) => "write the decimal point as a point".into(),
+                Ok(_) => "write decimals with a point, as in 0.5".into(),
                 Err(_) => form.into(),
             },
         )),
@@ -290,7 +290,7 @@ mod tests {
             "1 2\n3,5 4",
             &format!(
                 "a.nff, line 2: \"3,5\" is not a number, {more}\n  \
-                 write the decimal point as a point"
+                 write decimals with a point, as in 0.5"
             ),
         );
         refused(

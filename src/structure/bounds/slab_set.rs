@@ -18,7 +18,7 @@ pub enum SlabChoice {
     /// The three axes: a box.
     #[default]
     Axes,
-    /// The axes and the four diagonals of a cube: the seven of Kay and Kajiya's paper.
+    /// The three axes and the four diagonals of a cube: the seven of Kay and Kajiya's paper.
     Seven,
     /// The set in the scene file.
     Scene,

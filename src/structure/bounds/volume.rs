@@ -22,7 +22,7 @@ use crate::structure::{SlabBound, SlabSet, range};
 pub enum VolumeKind {
     /// The smallest sphere.
     Sphere,
-    /// The ellipsoid of least volume, turned as it fits best.
+    /// The ellipsoid of the smallest volume, in any orientation.
     Ellipsoid,
     /// The rectangular solid along the axes.
     #[default]
@@ -31,7 +31,7 @@ pub enum VolumeKind {
     Slabs,
 }
 
-/// A volume around an object, as the object has it: room for rounding comes with a [`VolumeRay`](crate::structure::VolumeRay).
+/// A volume around an object, without padding: that comes with a [`VolumeRay`](crate::structure::VolumeRay).
 #[doc(alias = "bounding volume")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Volume<const N: usize = MOST_SLABS> {

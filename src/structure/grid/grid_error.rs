@@ -59,7 +59,7 @@ impl fmt::Display for GridError {
         match *self {
             Self::Density { density } => write!(
                 f,
-                "a grid's density is its number of cells for each object, and {density} is none\n  \
+                "the density of a grid is its number of cells for each object, and {density} is not a number above 0\n  \
                  give a number above 0, such as 3"
             ),
             Self::NoCells {
@@ -70,7 +70,7 @@ impl fmt::Display for GridError {
             ),
             Self::TooManyCells { cells } => write!(
                 f,
-                "a grid of {} cells takes too much memory; {MOST_CELLS} are the most\n  \
+                "a grid of {} cells takes too much memory; at most {MOST_CELLS} are allowed\n  \
                  give a smaller resolution or density",
                 // whole numbers up to 2⁵³
                 if cells <= 9e15 {
@@ -81,7 +81,7 @@ impl fmt::Display for GridError {
             ),
             Self::TooManyAlong { axis, cells } => write!(
                 f,
-                "a ray along {} would step through {cells} cells, one after the other\n  \
+                "a ray along {} would step through {cells} cells\n  \
                  give at most {MOST_CELLS_ALONG} along each axis",
                 ["x", "y", "z"][axis.min(2)]
             ),
@@ -112,14 +112,14 @@ mod tests {
         let text = |error: GridError| error.to_string();
         assert_eq!(
             text(GridError::Density { density: -1.0 }),
-            "a grid's density is its number of cells for each object, and -1 is none\n  give a number above 0, such as 3"
+            "the density of a grid is its number of cells for each object, and -1 is not a number above 0\n  give a number above 0, such as 3"
         );
         assert_eq!(
             text(GridError::TooManyAlong {
                 axis: 2,
                 cells: 5000
             }),
-            "a ray along z would step through 5000 cells, one after the other\n  give at most 4096 along each axis"
+            "a ray along z would step through 5000 cells\n  give at most 4096 along each axis"
         );
         assert_eq!(
             text(GridError::TooThin { axis: 0, most: 7 }),

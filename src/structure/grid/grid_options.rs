@@ -9,10 +9,10 @@ use serde::{Deserialize, Serialize};
 #[cfg_attr(feature = "schema", derive(JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 pub enum Lists {
-    /// The object itself reaches into the cell.
+    /// A cell lists an object whose shape reaches into the cell.
     #[default]
     Objects,
-    /// The box around the object does.
+    /// A cell lists an object whose bounding box reaches into the cell.
     Boxes,
 }
 

@@ -23,12 +23,12 @@ use crate::structure::{RaySlabs, SlabBound, SlabSet, room};
 #[doc(alias = "SAH")]
 #[serde(rename_all = "kebab-case")]
 pub enum Build {
-    /// From the objects upwards, the nearest two volumes joined each time, as the slides say.
+    /// From the objects up: the nearest two volumes are joined each time, as the slides say.
     #[default]
     BottomUp,
-    /// One object after the other put where it adds the least area (Goldsmith and Salmon 1987).
+    /// Objects are inserted one by one where they add the least area (Goldsmith and Salmon 1987).
     Insertion,
-    /// From the top downwards, each node cut where the areas of its halves promise the fewest tests.
+    /// From the top down: each node is split where the surface-area heuristic expects the fewest tests.
     SurfaceArea,
 }
 

@@ -58,7 +58,7 @@ impl fmt::Display for LogError {
             ),
             Self::NoLog { file } => write!(
                 f,
-                "{}: this is no log: the first line has no \"kind\":\"trace\"\n  \
+                "{}: this is not a log: the first line has no \"kind\":\"trace\"\n  \
                  make one",
                 printable(file)
             ),

@@ -69,7 +69,7 @@ fn described(kind: Kind) -> Description {
     }
     let mut event = kind.blank();
     if let Event::Ray(_) = event {
-        description.optional("parent", "the ray that it was sent on from", &mut ray);
+        description.optional("parent", "the ray that spawned it", &mut ray);
     }
     event.fields(&mut description);
     description

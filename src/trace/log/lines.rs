@@ -102,7 +102,7 @@ impl<R: BufRead> LogLines<R> {
             }
             ReadEnd::Input if self.copied.is_empty() => return Ok(None),
             ReadEnd::Input => "the line has no end: the log was cut off here".into(),
-            ReadEnd::Zero => "the line has a byte 0, which no text has".into(),
+            ReadEnd::Zero => "the line has a byte 0, which text never has".into(),
             ReadEnd::Limit => format!("the line has more than {}", gibibytes(LONGEST_LINE)),
         };
         Err(self.damaged(Damage::new(what)))
@@ -157,7 +157,7 @@ mod tests {
         let mut lines = LogLines::new("log", input);
         assert!(lines.next().is_ok());
         let error = lines.next().unwrap_err().to_string();
-        let expected = "log, line 2: the line has a byte 0, which no text has\n";
+        let expected = "log, line 2: the line has a byte 0, which text never has\n";
         assert!(error.starts_with(expected), "{error}");
     }
 }

@@ -218,7 +218,7 @@ fn out_of_place(found: &Record, expected: &Place) -> Result<(), Damage> {
             (None, Some(path)) => format!(" of path {path}"),
             (None, None) => String::new(),
         };
-        format!("step {step}{of} was to follow: a line is missing or out of its place")
+        format!("step {step}{of} is missing: a line is lost or in the wrong place")
     } else if found.ray != expected.ray || found.parent != expected.parent {
         "\"ray\" or \"parent\" does not fit the rays before it".into()
     } else if expected.counted.is_some() && counted != expected.counted {

@@ -84,13 +84,13 @@ pub enum StrategyName {
     /// Every object, as in Fig. 15.56.
     #[default]
     Exhaustive,
-    /// Every object whose bounding volume is hit.
+    /// Every object whose bounding volume the ray hits.
     Bounds,
-    /// A hierarchy of bounding volumes, walked depth first.
+    /// A hierarchy of bounding volumes, traversed depth first.
     Hierarchy,
-    /// A hierarchy of bounding volumes, walked in the order of distance.
+    /// A hierarchy of bounding volumes, traversed nearest node first with a heap.
     Heap,
-    /// The cells of a uniform grid, one after the other along the ray.
+    /// The objects in the cells of a uniform grid, cell by cell along the ray.
     Grid,
     /// Every object, in a frame in which the ray is the z axis.
     ZAligned,
@@ -101,21 +101,21 @@ pub enum StrategyName {
 #[cfg_attr(feature = "schema", derive(JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 pub enum Transport {
-    /// From the eye alone; no rays to lights, so no shadows.
+    /// Rays from the eye only; no shadow rays, so no shadows.
     #[doc(alias = "ray casting")]
     Backward,
-    /// From the eye, with a ray to each light from each point.
+    /// Rays from the eye, and a shadow ray from each point to each light.
     #[doc(alias = "Whitted ray tracing")]
     #[default]
     HybridLight,
-    /// From the lights alone; what passes the window into the eye makes the picture.
+    /// Rays from the lights only; those that pass the window into the eye make the picture.
     #[doc(alias = "light tracing")]
     #[doc(alias = "particle tracing")]
     Forward,
-    /// From the lights, stored on the surfaces; then from the eye, gathering what is stored.
+    /// Light is stored on the surfaces; then rays from the eye gather it (photon mapping).
     #[doc(alias = "photon mapping")]
     HybridStored,
-    /// From the lights and from the eye; lines connect the two.
+    /// Paths from the lights and from the eye, connected by lines (bidirectional path tracing).
     #[doc(alias = "bidirectional path tracing")]
     #[doc(alias = "BDPT")]
     #[doc(alias = "path tracing")]
@@ -151,12 +151,12 @@ pub enum Through {
     /// One ray through its centre.
     #[default]
     Centres,
-    /// Four rays through its corners, of which the pixel is the mean. A picture shares them:
+    /// Four rays through its corners; the pixel is their mean. A picture shares them:
     /// (width + 1) × (height + 1) in all.
     Corners,
 }
 
-/// Written is what matters: options about light where light is followed, and what is not as usual.
+/// Only what matters is written: light options if light is traced, and values that differ from the default.
 impl Serialize for Settings {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         /// More than there are: JSON does not need the number.

@@ -23,7 +23,7 @@ pub struct Counts {
     /// Purposes of the rays that have started and not ended.
     open: Vec<Purpose>,
     /// The volume of an object was hit, and the object was not hit since.
-    in_vain: bool,
+    wasted: bool,
 }
 
 /// Rays of one purpose.
@@ -74,7 +74,7 @@ pub struct SearchCount {
     /// Bounding volumes tested, and how many of them were hit where it counts.
     pub bounds: TestCount,
     /// Volumes of objects that were hit, and then the object was not.
-    pub in_vain: u64,
+    pub wasted: u64,
     /// Slabs tested: fewer than bounds times directions, since a bound is left as soon as near and far cross.
     pub slabs: u64,
     /// Nodes whose children or objects were looked at.
@@ -255,9 +255,9 @@ impl SearchCount {
     pub fn named(&self) -> [(&'static str, u64); 14] {
         [
             ("bound tests", self.bounds.tests),
-            ("bounds met", self.bounds.hits),
+            ("bounds hit", self.bounds.hits),
             ("bounds missed", self.bounds.misses),
-            ("bounds met in vain", self.in_vain),
+            ("bounds wasted", self.wasted),
             ("slab tests", self.slabs),
             ("nodes entered", self.entered),
             ("nodes rejected", self.rejected),
@@ -273,7 +273,7 @@ impl SearchCount {
 
     fn add(&mut self, other: &Self) {
         self.bounds.sum(&other.bounds);
-        self.in_vain += other.in_vain;
+        self.wasted += other.wasted;
         self.slabs += other.slabs;
         self.entered += other.entered;
         self.rejected += other.rejected;
@@ -347,10 +347,10 @@ impl Counts {
         let search = &mut self.search;
         match event {
             Event::BoundTest(test) => {
-                search.in_vain += u64::from(std::mem::take(&mut self.in_vain));
+                search.wasted += u64::from(std::mem::take(&mut self.wasted));
                 let met = test.verdict == BoundVerdict::Hit;
                 search.bounds.add(met);
-                self.in_vain = met && matches!(test.of, Bounded::Object(_));
+                self.wasted = met && matches!(test.of, Bounded::Object(_));
             }
             Event::SlabTest(_) => search.slabs += 1,
             Event::Node(visit) => match visit.verdict {
@@ -371,7 +371,7 @@ impl Counts {
     }
 
     fn ended(&mut self, end: &RayEnd) {
-        self.search.in_vain += u64::from(std::mem::take(&mut self.in_vain));
+        self.search.wasted += u64::from(std::mem::take(&mut self.wasted));
         let Some(purpose) = self.open.pop() else {
             return;
         };
@@ -426,6 +426,6 @@ impl Recorder for Counts {
         let hit = event.test_hits() == Some(true);
         self.tests[of_kind].add(hit);
         // the hit of a polygon is that of its outline
-        self.in_vain &= !hit || of_kind == PLANE;
+        self.wasted &= !hit || of_kind == PLANE;
     }
 }

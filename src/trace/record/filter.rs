@@ -94,7 +94,7 @@ impl FromStr for Region {
         };
         match parsed {
             Some(region) if (0..2).all(|i| region.from[i] <= region.to[i]) => Ok(region),
-            Some(_) => Err("the second corner lies above or left of the first".into()),
+            Some(_) => Err("the second corner is above or left of the first".into()),
             None => Err("give X,Y or X0,Y0-X1,Y1, counted from 0,0 at the top left".into()),
         }
     }

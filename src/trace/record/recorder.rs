@@ -102,7 +102,7 @@ pub struct Record {
     pub step: u32,
     /// The ray it belongs to, numbered in the order of their starts from 0; `None` for the pixel's own.
     pub ray: Option<u32>,
-    /// For a ray's start: the ray that it was sent on from.
+    /// For a ray's start: the ray that spawned it.
     pub parent: Option<u32>,
     /// The event, with its working.
     pub event: Event,

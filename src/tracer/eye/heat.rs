@@ -19,13 +19,13 @@ pub struct Heat {
 /// What of it is shown?
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum HeatOf {
-    /// How many object tests the pixel's rays took
+    /// The number of object tests of the pixel's rays
     Tests,
-    /// How many bounds they were tested against and nodes they entered
+    /// The number of bound tests and of nodes entered
     Nodes,
-    /// How many cells of the grid they visited
+    /// The number of grid cells visited
     Cells,
-    /// How deep the tree of rays is: 1 for the eye ray alone; shadow rays count
+    /// The depth of the tree of rays: 1 for the eye ray alone; shadow rays count
     Depth,
 }
 

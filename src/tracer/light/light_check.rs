@@ -97,10 +97,10 @@ fn check_numbers(scene: &Scene, settings: &Settings) -> Result<(), LightError> {
     let holds = 1 <= options.bounces.unwrap_or(1);
     within(
         LightSetting::Bounces,
-        "a number of surfaces from 1 on",
+        "a number of surfaces of at least 1",
         holds,
     )?;
-    let must = "at least 2: of k photons k - 1 count";
+    let must = "at least 2, since k - 1 of k photons are summed";
     within(LightSetting::Nearest, must, 2 <= options.nearest)?;
     let holds = (1..=MOST_CELLS).contains(&options.map.unwrap_or(1));
     within(LightSetting::Map, "a number of cells from 1 to 4096", holds)?;
@@ -156,7 +156,7 @@ fn check_inside(
         // a room that the eye is in as well
         Sides::Both if is_inside(scene, scene.camera.cop, object) => Ok(None),
         Sides::Both => Ok(Some(format!(
-            "the light {light:?} stands inside {name:?}, which is opaque: its light stays there, away from the eye"
+            "the light {light:?} is inside {name:?}, which is opaque: none of its light reaches the eye"
         ))),
     }
 }
@@ -241,7 +241,7 @@ fn left_out(scene: &Scene, settings: &Settings) -> Vec<String> {
     let mut notes = Vec::new();
     if scene.ambient != DVec3::ZERO || scene.background != DVec3::ZERO {
         notes.push(
-            "the ambient light and the background are left out: the light of the lamps is followed, and nothing else"
+            "the ambient light and the background are ignored: only the light of the lights is traced"
                 .into(),
         );
     }
@@ -249,7 +249,7 @@ fn left_out(scene: &Scene, settings: &Settings) -> Vec<String> {
         && settings.light.aperture_radius(&scene.camera).powi(2) == 0.0
     {
         notes.push(
-            "the eye is a pinhole, of aperture 0: no photon can pass through a point, so none arrives and the \
+            "the eye is a pinhole, with aperture 0: no photon passes through a point, so the \
              picture is black; an aperture gives the eye a radius"
                 .into(),
         );
@@ -399,7 +399,7 @@ mod tests {
         };
         assert_eq!(around("front"), Err(inside));
         assert_eq!(around("back"), Ok(None));
-        assert!(around("both").unwrap().unwrap().contains("stands inside"));
+        assert!(around("both").unwrap().unwrap().contains("is inside"));
         // a room that the eye is in as well; glass; and a lamp outside
         let room = sphere([0.0, 0.0, -3.0], 4.0);
         assert_eq!(

@@ -110,17 +110,17 @@ impl LightError {
     pub fn what(&self, name: impl Fn(LightSetting) -> String) -> String {
         match self {
             Self::NoLights => {
-                "the scene has no lights, and light is to be followed from them".into()
+                "the scene has no lights, and this kind of ray tracing starts at the lights".into()
             }
             Self::NoPower { number, light } => format!(
-                "lights[{number}], {light:?}, has a colour and no power: how much light it sends out is not known"
+                "lights[{number}], {light:?}, has a colour but no power, so the light that it emits is not known"
             ),
             Self::Albedo { material, sum } => format!(
-                "materials.{} would send on {sum} times what arrives: energy would grow at every surface",
+                "materials.{} reflects and transmits {sum} times the incoming light: energy would grow at every bounce",
                 printable(material)
             ),
             Self::Inside { light, object } => format!(
-                "the light {light:?} stands inside {object:?}, which is opaque and does not face inwards"
+                "the light {light:?} is inside {object:?}, which is opaque and whose inside is not visible"
             ),
             Self::NoPaths { setting } => {
                 format!("{} 0: no light would be followed", name(*setting))
@@ -133,7 +133,7 @@ impl LightError {
                 format!("{paths} paths of light are too many: their numbers have 32 bits")
             }
             Self::Endless { surfaces } => format!(
-                "a path of light met {surfaces} surfaces and went on: hardly anything absorbs it, and it does not get out"
+                "a path of light hit {surfaces} surfaces and did not end: the surfaces absorb almost nothing, and the path cannot leave"
             ),
             Self::TooManyCells {
                 cells,

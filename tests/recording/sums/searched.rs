@@ -32,7 +32,7 @@ pub(super) struct Searched {
     tests: u64,
     hits: u64,
     /// Bounds of objects that were met for nothing.
-    in_vain: u64,
+    wasted: u64,
     /// The last bound of an object was met, and the object not since.
     waits: bool,
 }
@@ -44,7 +44,7 @@ impl Searched {
         self.hits += u64::from(met);
         match event {
             Event::BoundTest(test) => {
-                self.in_vain += u64::from(std::mem::take(&mut self.waits));
+                self.wasted += u64::from(std::mem::take(&mut self.waits));
                 self.bounds[test.verdict as usize] += 1;
                 if let (BoundVerdict::Hit, Bounded::Object(object)) = (test.verdict, test.of) {
                     self.bounded.push(object);
@@ -82,7 +82,7 @@ impl Searched {
             | Event::BoxTest { .. }
             | Event::PlaneTest { .. } => self.tests += 1,
             Event::RayEnd(_) => {
-                self.in_vain += u64::from(std::mem::take(&mut self.waits));
+                self.wasted += u64::from(std::mem::take(&mut self.waits));
             }
             _ => {}
         }
@@ -93,7 +93,7 @@ impl Searched {
     pub(super) fn check(&self, scene: &str, counts: &Counts) {
         let search = counts.search;
         let [met, missed, behind, beyond] = self.bounds;
-        assert_eq!(search.bounds.hits, met, "{scene}: bounds met");
+        assert_eq!(search.bounds.hits, met, "{scene}: bounds hit");
         assert_eq!(search.bounds.misses, missed + behind + beyond, "{scene}");
         assert_eq!(
             search.bounds.tests,
@@ -103,7 +103,7 @@ impl Searched {
         let nodes = [search.entered, search.rejected, search.pruned];
         assert_eq!(nodes, self.nodes, "{scene}: nodes");
         for (what, found, expected) in [
-            ("bounds met in vain", search.in_vain, self.in_vain),
+            ("bounds wasted", search.wasted, self.wasted),
             ("slabs", search.slabs, self.slabs),
             ("heap pushes", search.pushed, self.heap[0]),
             ("cells", search.cells, self.cells),

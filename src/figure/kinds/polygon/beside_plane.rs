@@ -86,9 +86,9 @@ pub(super) fn draw(
     let distance = quantity(test.numerator.abs());
     if is_beside {
         format!(
-            "The ray is parallel to the plane of {name}, at the distance {distance}, and does not meet it."
+            "The ray is parallel to the plane of {name}, at the distance {distance}, and does not hit it."
         )
     } else {
-        format!("The ray lies in the plane of {name} and does not meet it in one point.")
+        format!("The ray lies in the plane of {name} and does not hit it in one point.")
     }
 }

@@ -56,12 +56,12 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
         let normal = tested.plane.0.plane.normal;
         let [other, own] = [along, chosen].map(|axis| quantity(axis.of(normal).abs()));
         format!(
-            " With {} dropped in its place, the projection has {other} of the polygon's area, not {own}.",
+            " If {} is dropped instead, the projection has {other} of the polygon's area, not {own}.",
             axes::letter(along)
         )
     };
     Ok(format!(
-        "The ray meets the plane of {name} in p. Of A, B and C, {} has the largest absolute value, {}, so the test \
+        "The ray hits the plane of {name} in p. Of A, B and C, {} has the largest absolute value, {}, so the test \
          drops {}. {}.{compared}",
         axes::coefficient(chosen),
         quantity(test.coefficient.abs()),

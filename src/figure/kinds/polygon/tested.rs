@@ -40,8 +40,8 @@ impl<'a> Tested<'a> {
         if figure.first.settings.strategy == StrategyName::ZAligned {
             return Err(FigureError::new(
                 "strategy",
-                "with z-aligned rays the polygon is tested in the frame of the ray, where Fig. 15.57 does not take place",
-                "take another strategy, or draw the kind alignment",
+                "with z-aligned rays the polygon is tested in the frame of the ray, which Fig. 15.57 does not show",
+                "choose another \"strategy\", or the kind alignment",
             ));
         }
         let DrawnRay { node, events } = figure.ray()?;
@@ -49,8 +49,8 @@ impl<'a> Tested<'a> {
         let none = || {
             FigureError::new(
                 "object",
-                "the trace of this ray has no such test of a polygon",
-                "name a polygon that the ray is tested against, or leave it out for the first one",
+                "this ray is not tested against such a polygon",
+                "name a polygon that the ray is tested against, or omit \"object\" for the first one",
             )
         };
         let found = events.iter().find_map(|record| match record.event {
@@ -87,8 +87,8 @@ impl<'a> Tested<'a> {
         if tested.point.is_none() && matches!(plane.verdict, PlaneVerdict::Meets(_)) {
             return Err(FigureError::new(
                 "pixel",
-                "the ray does not meet the polygon's plane where it counts, so nothing is projected",
-                "name a pixel whose ray meets the plane in front of it and before the nearest hit",
+                "the ray hits the polygon's plane at no t that counts, so no point is projected",
+                "name a pixel whose ray hits the plane before the nearest hit",
             ));
         }
         Ok(tested)
