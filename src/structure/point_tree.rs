@@ -244,4 +244,17 @@ mod tests {
         }
         check(tree.items(), &tree.axes);
     }
+
+    #[test]
+    fn the_search_goes_on_beyond_what_is_not_accepted_until_it_has_enough() {
+        // on a line from 0 to 9 all between the first and the last two are refused
+        let tree = PointTree::new((0..10).map(|x| f64::from(x) * DVec3::X).collect());
+        let accepts = |point: &DVec3| point.x < 0.5 || 7.5 < point.x;
+        let squares = |most| {
+            let found = tree.nearest(DVec3::ZERO, most, accepts);
+            found.iter().map(|n| n.distance_squared).collect::<Vec<_>>()
+        };
+        assert_eq!(squares(3), [0.0, 64.0, 81.0]);
+        assert_eq!(squares(2), [0.0, 64.0]);
+    }
 }

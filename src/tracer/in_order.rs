@@ -438,29 +438,36 @@ mod tests {
         assert_eq!(made.load(Ordering::SeqCst), 3 * KEPT);
     }
 
-    /// What is written makes room for more: the lowest tile has handed over more than is kept, and another is let in.
+    /// What is written makes room for more: once the lowest tile has handed over more than is kept, another is let in.
     #[test]
     fn what_is_written_is_kept_no_longer() {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(2).build();
-        let made = AtomicUsize::new(0);
+        let (written, let_in) = (AtomicUsize::new(0), AtomicUsize::new(0));
+        let wait_for = |number: &AtomicUsize| {
+            while number.load(Ordering::SeqCst) == 0 {
+                std::thread::yield_now();
+            }
+        };
         let shared: InOrder<_, Order> = InOrder::new(io::sink(), u64::MAX);
         let work = |tile: &mut Tile<'_, _, Order>, (): &mut ()| {
+            let piece = |tile: &mut Tile<'_, _, Order>| tile.line(|lines| lines.resize(PIECE, 0));
             if tile.number() == 0 {
                 for _ in 0..2 * KEPT {
-                    assert!(tile.line(|lines| lines.resize(PIECE, 0)).is_continue());
+                    assert!(piece(tile).is_continue());
                 }
-                while made.load(Ordering::SeqCst) == 0 {
-                    std::thread::yield_now();
-                }
+                written.store(1, Ordering::SeqCst);
+                wait_for(&let_in);
             } else {
-                assert!(tile.line(|lines| lines.resize(PIECE, 0)).is_continue());
-                made.fetch_add(1, Ordering::SeqCst);
+                wait_for(&written);
+                assert!(piece(tile).is_continue());
+                let_in.store(1, Ordering::SeqCst);
             }
             Ok(Order::default())
         };
         pool.unwrap()
             .install(|| shared.run(2, || (), work))
             .unwrap();
+        assert_eq!(let_in.load(Ordering::SeqCst), 1);
     }
 
     #[test]

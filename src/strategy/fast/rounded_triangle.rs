@@ -217,4 +217,45 @@ mod tests {
         // each of the three is common among such rays, else this test would hold of itself
         assert!(settled.iter().all(|&count| 2_000 <= count), "{settled:?}");
     }
+
+    #[test]
+    fn from_far_away_a_triangle_with_exact_corners_is_settled_as_the_polygon_says() {
+        // corners on a lattice of eighths, which 32 bits hold: so the rounding of the ray alone keeps p′ off the edges
+        let mut next = 0;
+        let mut number = || {
+            next += 1;
+            spread(next)
+        };
+        let mut settled = [0; 2];
+        for case in 0..10_000_i32 {
+            let mut corner = || (64.0 * DVec3::new(number(), number(), number())).round() / 8.0;
+            let corners = [corner(), corner(), corner()];
+            let Ok(polygon) = Polygon::new(corners.to_vec(), None) else {
+                continue;
+            };
+            let rounded = RoundedTriangle::new(&polygon, Sides::Both).unwrap();
+            // beside an edge by 10⁻² down to 10⁻¹¹ of the triangle's size, from 10⁷ away: p′ is good to some 10⁻⁹
+            let along = 0.5 + 0.4 * number();
+            let beside = number() * 0.1_f64.powi(2 + case % 10);
+            let target = corners[0].lerp(corners[1], along) + beside * (corners[2] - corners[0]);
+            let ray = Ray::through(
+                target + 1e7 * DVec3::new(number(), number(), number()),
+                target,
+            );
+            let t = polygon
+                .plane_test(&ray, TRange::FORWARD, Sides::Both)
+                .chosen();
+            let whole = t.filter(|&t| polygon.contains(&ray, t).inside);
+            match rounded.test(&ray, TRange::FORWARD) {
+                RoundedTest::Hit(t) => assert_eq!(whole, Some(t), "{case}"),
+                RoundedTest::Missed => assert_eq!(whole, None, "{case}"),
+                RoundedTest::Unsettled => {
+                    settled[0] += 1;
+                    continue;
+                }
+            }
+            settled[1] += 1;
+        }
+        assert!(settled.iter().all(|&count| 500 <= count), "{settled:?}");
+    }
 }

@@ -326,4 +326,18 @@ mod tests {
         assert!((low - (1.0 - room)).abs() <= TWICE_ROUNDED, "{low}");
         assert!((high - (top + room)).abs() <= TWICE_ROUNDED, "{high}");
     }
+
+    #[test]
+    fn a_polygon_that_is_bent_by_less_than_its_room_for_rounding_is_not_thick() {
+        // each corner is 2.5·10⁻¹² off the plane, 64 times that is 1.6·10⁻¹⁰; the room is 10⁻¹⁰ of 5
+        let corners = [
+            [1.0, 1.0, 1.0],
+            [5.0, 1.0, 1.0],
+            [5.0, 5.0, 1.0 + 1e-11],
+            [1.0, 5.0, 1.0],
+        ];
+        let bent = Polygon::new(corners.map(DVec3::from).to_vec(), None).unwrap();
+        assert!((1.5e-10..1.7e-10).contains(&bent.room()), "{}", bent.room());
+        assert_eq!(thickness(&Shape::Polygon(bent)), 0.0);
+    }
 }

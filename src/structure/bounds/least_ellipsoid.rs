@@ -527,4 +527,64 @@ mod tests {
         let by_z = |p: DVec3| 2.0 * p.z;
         assert_eq!(largest(&points, DVec3::ONE, by_z), (DVec3::Z, 2.0));
     }
+
+    /// The weights after one step.
+    fn after_one_step(points: &[[f64; 2]], weights: &[f64]) -> Vec<f64> {
+        let point = |&[x, y]: &[f64; 2]| DVec3::new(x, y, 0.0);
+        let mut weighted = Weighted {
+            points: points.iter().map(point).collect(),
+            weights: weights.to_vec(),
+            dimensions: 2,
+        };
+        let mut steps = MOST_STEPS - 1;
+        weighted.improve(&mut steps);
+        assert_eq!(steps, MOST_STEPS);
+        weighted.weights
+    }
+
+    #[track_caller]
+    fn check_weights(found: &[f64], expected: &[f64]) {
+        let near = |(found, expected): (&f64, &f64)| (found - expected).abs() <= 1e-15;
+        assert!(
+            found.iter().zip(expected).all(near),
+            "{found:?}, expected {expected:?}"
+        );
+    }
+
+    const CROSS: [[f64; 2]; 4] = [[1.0, 0.0], [-1.0, 0.0], [0.0, 1.0], [0.0, -1.0]];
+
+    #[test]
+    fn a_step_to_a_point_that_lies_outside_has_the_length_that_makes_the_area_least() {
+        // M has 0.4, 0.6 and 1 on its diagonal: levels of 1/0.4 + 1 = 3.5 and 1/0.6 + 1. The first lies outside by a sixth, the
+        // others inside by a ninth: β = (3.5 − 3)/(3·2.5) = 1/15
+        let found = after_one_step(&CROSS, &[0.2, 0.2, 0.3, 0.3]);
+        let rest = 14.0 / 15.0;
+        check_weights(
+            &found,
+            &[0.2 * rest + 1.0 / 15.0, 0.2 * rest, 0.3 * rest, 0.3 * rest],
+        );
+    }
+
+    #[test]
+    fn a_point_in_the_middle_loses_all_its_weight_at_once() {
+        // M has 0.4 and 0.4: levels of 3.5 on the cross, a sixth outside, and 1 in the middle, two thirds inside
+        let points = [&CROSS[..], &[[0.0; 2]]].concat();
+        let found = after_one_step(&points, &[0.2; 5]);
+        check_weights(&found, &[0.25, 0.25, 0.25, 0.25, 0.0]);
+    }
+
+    #[test]
+    fn a_point_inside_with_too_much_weight_gives_some_of_it_away() {
+        // a cross of 1 with 0.15 at each end, and one of 0.9 with 0.1: M has 0.3 + 0.2·0.81 = 0.462 twice. The outer ends lie
+        // outside by 0.055, the inner ones, of level κ = 0.81/0.462 + 1 = 2.753, inside by 0.082
+        let inner = CROSS.map(|point| point.map(|x| 0.9 * x));
+        let weights = [0.15, 0.15, 0.15, 0.15, 0.1, 0.1, 0.1, 0.1];
+        let found = after_one_step(&[CROSS, inner].concat(), &weights);
+        // β = (κ − 3)/(3(κ − 1)) = −0.047
+        let level = 0.81 / 0.462 + 1.0;
+        let step = (level - 3.0) / (3.0 * (level - 1.0));
+        let mut expected = weights.map(|weight| weight * (1.0 - step));
+        expected[4] += step;
+        check_weights(&found, &expected);
+    }
 }

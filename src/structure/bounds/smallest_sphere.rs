@@ -228,4 +228,12 @@ mod tests {
             }
         }
     }
+
+    #[test]
+    fn of_few_points_those_that_settle_the_sphere_are_told_wherever_they_stand() {
+        let points = [[-5.0, 0.0, 0.0], [0.0, 1.0, 0.0], [5.0, 0.0, 0.0]].map(DVec3::from);
+        let (center, radius, few) = smallest_of_few(&points);
+        assert_eq!((center, radius), (DVec3::ZERO, 5.0));
+        assert_eq!(few, [points[0], points[2]]);
+    }
 }

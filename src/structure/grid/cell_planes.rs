@@ -226,9 +226,24 @@ mod tests {
     #[test]
     fn the_cells_touched_are_those_whose_planes_enclose_the_range_wherever_rounding_puts_the_planes()
      {
-        // thirteen cells of a length that is no fraction of two: the planes are rounded, and a division lands beside them
-        let (min, max) = (DVec3::splat(0.1), DVec3::new(1e3, 1e6 + 0.3, 7.7));
-        let cells = CellPlanes::new(&AxisBox { min, max }, [13, 97, 51]);
+        // lengths that are no sums of few powers of two: the planes are rounded, and a division lands on either side of them
+        let boxes = [
+            ([0.1; 3], [1e3, 1e6 + 0.3, 7.7], [13, 97, 51]),
+            (
+                [-7.7, -1.1, -0.9],
+                [-7.7 + 7.9, -1.1 + 3.0, 2.1],
+                [44, 63, 98],
+            ),
+        ];
+        for (min, max, resolution) in boxes {
+            let (min, max) = (min.into(), max.into());
+            check_touched(&CellPlanes::new(&AxisBox { min, max }, resolution));
+        }
+    }
+
+    /// The cells touched by ranges that begin and end at planes, beside them and between them.
+    #[track_caller]
+    fn check_touched(cells: &CellPlanes) {
         for axis in 0..3 {
             let planes = cells.axis(axis);
             let last = planes.len() - 2;
