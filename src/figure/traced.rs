@@ -174,7 +174,7 @@ fn next_log(file: &str, input: &mut impl BufRead, log: &mut Vec<u8>) -> Result<V
             return Ok(line);
         }
         log.extend_from_slice(&line);
-        // what is wrong with a line without an end is told by whoever reads the log
+        // the reader of the log reports a line without an end
         if end != ReadEnd::Stop {
             return Ok(Vec::new());
         }

@@ -518,7 +518,7 @@ mod tests {
         let u = u_shape();
         let upright = Ray::new(DVec3::new(3.0, 1.0, 0.0), DVec3::Z);
         let flat = Ray::new(DVec3::new(3.0, 1.0, 0.0), DVec3::new(1.0, 0.0, 1.0 / 128.0));
-        // so many tolerances below the bottom
+        // this many tolerances below the bottom
         for (ray, tolerances, decided_by) in [
             (upright, 0.5, DecidedBy::Ray),
             (upright, 1.5, DecidedBy::Point),

@@ -264,7 +264,7 @@ fn fields_that_contradict_each_other_are_named() {
     let what = "\"face\" does not fit the object \"roof\"";
     check(8, "\"face\":0", "\"face\":1", "", what);
     check(8, "\"face\":0,", "", "", what);
-    let what = "a plane is met at a root unless the ray is parallel to it";
+    let what = "a ray meets a plane at a root unless it is parallel to it";
     check(
         8,
         "\"parallel\":\"beside\"",

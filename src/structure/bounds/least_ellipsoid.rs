@@ -24,7 +24,7 @@ const NEAR_LEAST: f64 = 1e-9;
 /// Steps at most for one set of points; some hundreds are usual. What is left is made up for by the size.
 const MOST_STEPS: usize = 20_000;
 
-/// So many points all take part from the start; of more only the outermost, and others as they are found
+/// Up to this many points all take part from the start; of more points, only the outermost, and others as they are found
 /// to lie outside.
 const FEW: usize = 32;
 

@@ -87,7 +87,7 @@ impl fmt::Display for GridError {
             ),
             Self::TooThin { axis, most } => write!(
                 f,
-                "the scene is too thin along {} for so many cells\n  give at most {most} along that axis",
+                "the scene is too thin along {} for this many cells\n  give at most {most} along that axis",
                 ["x", "y", "z"][axis.min(2)]
             ),
             Self::TooManyEntries {
@@ -123,7 +123,7 @@ mod tests {
         );
         assert_eq!(
             text(GridError::TooThin { axis: 0, most: 7 }),
-            "the scene is too thin along x for so many cells\n  give at most 7 along that axis"
+            "the scene is too thin along x for this many cells\n  give at most 7 along that axis"
         );
     }
 

@@ -46,7 +46,7 @@ impl Column for u16 {
         v.field(key, meaning, &mut whole);
         match Self::try_from(whole) {
             Ok(vertex) => *self = vertex,
-            Err(_) => v.fail("no path has so many vertices"),
+            Err(_) => v.fail("no path has this many vertices"),
         }
     }
 }

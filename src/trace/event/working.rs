@@ -166,11 +166,10 @@ impl Fields for PlaneTest {
             (ToPlane::Meets, Some(root)) => PlaneVerdict::Meets(root),
             (ToPlane::Beside, None) => PlaneVerdict::ParallelBeside,
             (ToPlane::Within, None) => PlaneVerdict::ParallelWithin,
-            _ => return v.fail("a plane is met at a root unless the ray is parallel to it"),
+            _ => return v.fail("a ray meets a plane at a root unless it is parallel to it"),
         };
         Judged::derived(of_plane(self), v);
-        let meaning =
-            "t at which the plane is met; absent: it is not. The polygon_test says whether inside.";
+        let meaning = "t where the ray meets the plane; absent: it does not. The polygon_test says whether inside.";
         hit_t(self.chosen(), meaning, v);
     }
 }

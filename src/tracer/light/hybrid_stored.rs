@@ -242,7 +242,7 @@ mod tests {
         }
     }
 
-    /// Stores photons where the eye looks, at these distances and with these powers, and gathers so many there.
+    /// Stores photons where the eye looks, at these distances and with these powers, and gathers that many of them.
     fn gathered(scene: &Scene, photons: &[StoredPhoton], nearest: u32) -> (DVec3, Gathered) {
         let surface = ahead(scene);
         let patch = Patch::of(scene, &surface);

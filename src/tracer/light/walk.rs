@@ -403,7 +403,7 @@ mod tests {
             (absorbed, 0.2),
             (both, 0.15),
         ] {
-            // five deviations of the mean of so many numbers
+            // five deviations of the mean of that number of samples
             let deviation = (share * (1.0 - share) / f64::from(COUNT)).sqrt();
             let off = f64::from(found) / f64::from(COUNT) - share;
             assert!(off.abs() <= 5.0 * deviation, "{counts:?} {both}");
