@@ -50,7 +50,7 @@ impl Alignment {
     ///
     /// ```
     /// use glam::DVec3;
-    /// use raystep::{Alignment, Ray};
+    /// use raystep::geometry::{Alignment, Ray};
     ///
     /// let frame = Alignment::of(&Ray::new(DVec3::new(1.0, 0.0, 0.0), DVec3::new(0.6, 0.0, 0.8)));
     /// assert_eq!((frame.x, frame.y), (DVec3::Y, DVec3::new(-0.8, 0.0, 0.6)));

@@ -137,7 +137,7 @@ impl AxisBox {
     ///
     /// ```
     /// use glam::DVec3;
-    /// use raystep::{AxisBox, Ray, Sides, TRange};
+    /// use raystep::geometry::{AxisBox, Ray, Sides, TRange};
     ///
     /// let cube = AxisBox { min: DVec3::ZERO, max: DVec3::ONE };
     /// let ray = Ray::new(DVec3::new(-1.0, 0.5, -0.5), DVec3::new(1.0, 0.0, 1.0));

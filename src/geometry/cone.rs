@@ -113,7 +113,7 @@ impl Cone {
     ///
     /// ```
     /// use glam::DVec3;
-    /// use raystep::{Cone, Ray, Sides, TRange};
+    /// use raystep::geometry::{Cone, Ray, Sides, TRange};
     ///
     /// let tip = Cone::new(DVec3::ZERO, 2.0, DVec3::new(0.0, 2.0, 0.0), 0.0).unwrap();
     /// let ray = Ray::new(DVec3::new(-5.0, 1.0, 0.0), DVec3::X); // at y = 1 the radius is 1

@@ -25,7 +25,7 @@ impl Ellipsoid {
     ///
     /// ```
     /// use glam::DVec3;
-    /// use raystep::{Ellipsoid, Ray, Sides, TRange};
+    /// use raystep::geometry::{Ellipsoid, Ray, Sides, TRange};
     ///
     /// let egg = Ellipsoid { center: DVec3::ZERO, radii: DVec3::new(2.0, 1.0, 1.0) };
     /// let ray = Ray::new(DVec3::new(-6.0, 0.0, 0.0), DVec3::X);

@@ -34,7 +34,7 @@ impl Inside {
     /// A slab that the ray is parallel to and inside of changes nothing; one that it is outside of leaves nothing.
     ///
     /// ```
-    /// use raystep::{Inside, SlabInterval};
+    /// use raystep::geometry::{Inside, SlabInterval};
     ///
     /// let x = SlabInterval::Between { near: 1.0, far: 4.0 };
     /// let y = SlabInterval::Between { near: 2.0, far: 9.0 };

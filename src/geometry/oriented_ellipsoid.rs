@@ -35,7 +35,7 @@ impl OrientedEllipsoid {
     ///
     /// ```
     /// use glam::DVec3;
-    /// use raystep::{OrientedEllipsoid, Ray, Sides, TRange};
+    /// use raystep::geometry::{OrientedEllipsoid, Ray, Sides, TRange};
     ///
     /// let slanted = [[0.6, 0.8, 0.0], [-0.8, 0.6, 0.0], [0.0, 0.0, 1.0]];
     /// let egg = OrientedEllipsoid {

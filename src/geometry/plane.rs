@@ -197,7 +197,7 @@ impl Plane {
     ///
     /// ```
     /// use glam::DVec3;
-    /// use raystep::{Plane, Ray, Sides, TRange};
+    /// use raystep::geometry::{Plane, Ray, Sides, TRange};
     ///
     /// let floor = Plane { normal: DVec3::Y, d: 0.0 };
     /// let ray = Ray::new(DVec3::new(0.0, 3.0, 0.0), DVec3::new(0.8, -0.6, 0.0));

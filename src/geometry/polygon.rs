@@ -191,7 +191,7 @@ impl Polygon {
     ///
     /// ```
     /// use glam::DVec3;
-    /// use raystep::{Polygon, Ray, Sides, TRange};
+    /// use raystep::geometry::{Polygon, Ray, Sides, TRange};
     ///
     /// let corners = [[0.0, 0.0, 5.0], [4.0, 0.0, 5.0], [0.0, 4.0, 5.0]].map(DVec3::from_array);
     /// let triangle = Polygon::new(corners.to_vec(), None).unwrap();

@@ -87,7 +87,7 @@ impl SlabRay {
     ///
     /// ```
     /// use glam::DVec3;
-    /// use raystep::{Ray, SlabInterval, SlabRay};
+    /// use raystep::geometry::{Ray, SlabInterval, SlabRay};
     ///
     /// // 1 ≤ x ≤ 3 is the slab with normal (1, 0, 0), D_min = −3 and D_max = −1
     /// let ray = Ray::new(DVec3::ZERO, DVec3::new(0.5, 0.5, 0.0));

@@ -29,7 +29,7 @@ impl Sphere {
     ///
     /// ```
     /// use glam::DVec3;
-    /// use raystep::{Ray, Sides, Sphere, TRange};
+    /// use raystep::geometry::{Ray, Sides, Sphere, TRange};
     ///
     /// let sphere = Sphere { center: DVec3::new(0.0, 1.0, 0.0), radius: 1.0 };
     /// let ray = Ray::new(DVec3::new(0.0, 1.0, 6.0), DVec3::new(0.0, 0.0, -1.0));

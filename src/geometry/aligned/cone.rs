@@ -15,7 +15,7 @@ impl Cone {
     ///
     /// ```
     /// use glam::DVec3;
-    /// use raystep::{AlignedRay, Cone, Ray, Sides, TRange};
+    /// use raystep::geometry::{AlignedRay, Cone, Ray, Sides, TRange};
     ///
     /// let pipe = Cone::new(DVec3::new(6.0, -9.0, 8.0), 1.0, DVec3::new(6.0, 9.0, 8.0), 1.0).unwrap();
     /// let ray = AlignedRay::new(&Ray::new(DVec3::ZERO, DVec3::new(0.6, 0.0, 0.8)));

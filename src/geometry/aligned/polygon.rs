@@ -45,7 +45,7 @@ impl Polygon {
     ///
     /// ```
     /// use glam::DVec3;
-    /// use raystep::{AlignedRay, Polygon, Ray};
+    /// use raystep::geometry::{AlignedRay, Polygon, Ray};
     ///
     /// let corners = [[0.0, 0.0, 5.0], [4.0, 0.0, 5.0], [0.0, 4.0, 5.0]].map(DVec3::from_array);
     /// let triangle = Polygon::new(corners.to_vec(), None).unwrap();

@@ -16,7 +16,7 @@ impl Sphere {
     ///
     /// ```
     /// use glam::DVec3;
-    /// use raystep::{AlignedRay, Ray, Sides, Sphere, TRange};
+    /// use raystep::geometry::{AlignedRay, Ray, Sides, Sphere, TRange};
     ///
     /// let ball = Sphere { center: DVec3::new(3.0, 3.0, 4.0), radius: 5.0 };
     /// let ray = AlignedRay::new(&Ray::new(DVec3::ZERO, DVec3::new(0.6, 0.0, 0.8)));

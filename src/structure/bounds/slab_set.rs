@@ -73,7 +73,8 @@ impl SlabSet<MOST_SLABS> {
     ///
     /// ```
     /// use glam::DVec3;
-    /// use raystep::{SlabSet, SlabSetError};
+    /// use raystep::geometry::SlabSetError;
+    /// use raystep::structure::SlabSet;
     ///
     /// // the four of Fig. 15.58, in the plane: they need one across it
     /// let flat = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [1.0, 1.0, 0.0], [1.0, -1.0, 0.0]];

@@ -11,7 +11,10 @@ impl Event {
     /// What became of a test, and if it was rejected, why. `None` for all that is no test.
     ///
     /// ```
-    /// use raystep::{Event, PolygonTest, PrimitiveId, Verdict, Why};
+    /// use raystep::Event;
+    /// use raystep::geometry::PolygonTest;
+    /// use raystep::scene::PrimitiveId;
+    /// use raystep::trace::{Verdict, Why};
     ///
     /// let test = PolygonTest { inside: false, ..PolygonTest::default() };
     /// let event = Event::PolygonTest { object: PrimitiveId(0), test };
