@@ -2,7 +2,6 @@
 
 use std::f64::consts::TAU;
 use std::fmt::Write as _;
-use std::path::Path;
 
 use glam::DVec3;
 use raystep::Scene;
@@ -75,7 +74,7 @@ pub(crate) fn mesh(count: usize) -> Objects {
 /// The same objects as a scene of raystep, to the bit.
 pub(crate) fn scene(objects: &Objects) -> Scene {
     let (name, text) = text_of(objects);
-    let loaded = raystep::load_bytes(name, text.as_bytes(), &NoFiles).expect("valid text");
+    let loaded = raystep::load_bytes(name, text.as_bytes(), &raystep::NoFiles).expect("valid text");
     drop(text);
     loaded.build().expect("a valid scene")
 }
