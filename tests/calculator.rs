@@ -216,7 +216,7 @@ fn at_end(text: &str) -> Option<Value> {
 
 /// Both sides of an equation, if they can be computed.
 fn sides(left: &str, right: &str) -> Option<[Value; 2]> {
-    // the one step that is told in words
+    // the one step that is written in words
     let direction = left.strip_suffix(", normalised");
     let mut sides = [at_end(direction.unwrap_or(left))?, at_start(right)?];
     if direction.is_some() {

@@ -63,7 +63,7 @@ mod tests {
     use super::*;
     use crate::trace::Off;
 
-    /// Traces so many rays where five are allowed.
+    /// Traces this many rays where five are allowed.
     fn trace(rays: u32) -> Result<u32, Stopped> {
         within(5, [3, 4], &mut Off, |recorder| {
             for _ in 0..rays {

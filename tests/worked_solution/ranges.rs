@@ -117,7 +117,7 @@ fn scenes() -> Vec<(String, Scene, Vec<[u32; 2]>)> {
 }
 
 /// All strategies under rays from the eye, and the exhaustive one under light where lamps have a power; so few paths that
-/// all is told in seconds.
+/// the whole test takes seconds.
 fn all_settings(scene: &Scene) -> Vec<Settings> {
     let mut all = Vec::new();
     for transport in [Transport::Backward, Transport::HybridLight] {
