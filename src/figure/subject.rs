@@ -7,7 +7,7 @@ use crate::figure::error::FigureError;
 use crate::figure::sheet::frame::Frame;
 use crate::figure::spec::{FigureKind, FigureSpec, Layer};
 use crate::figure::traced::{Section, Traced};
-use crate::figure::view::{Projection, Stage};
+use crate::figure::view::{Projection, Space};
 use crate::scene::{PrimitiveId, Scene};
 use crate::trace::{Event, RayNode, RayTree, Record};
 
@@ -110,12 +110,12 @@ impl<'a> Figure<'a> {
         self.spec.view.projection(&self.scene.camera)
     }
 
-    /// A stage in a frame that shows what the specification names, or else these points.
-    pub(super) fn stage(&self, frame: Frame, points: impl IntoIterator<Item = DVec3>) -> Stage {
+    /// The space in a frame that shows what the specification names, or else these points.
+    pub(super) fn space(&self, frame: Frame, points: impl IntoIterator<Item = DVec3>) -> Space {
         let projection = self.projection();
         match self.spec.frame {
-            Some(corners) => Stage::fitted(projection, frame, corners.map(DVec3::from)),
-            None => Stage::fitted(projection, frame, points),
+            Some(corners) => Space::fitted(projection, frame, corners.map(DVec3::from)),
+            None => Space::fitted(projection, frame, points),
         }
     }
 

@@ -80,9 +80,9 @@ impl Projection {
     }
 }
 
-/// A projection fitted into a frame of the sheet.
+/// The space of a scene as a sheet shows it: a projection fitted into a frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Stage {
+pub(super) struct Space {
     pub(super) projection: Projection,
     pub(super) frame: Frame,
     /// Units of the sheet for one of the scene.
@@ -91,7 +91,7 @@ pub(super) struct Stage {
     center: DVec2,
 }
 
-impl Stage {
+impl Space {
     /// Shows all these points, as large as the frame allows; its room around them is a share of the frame.
     pub(super) fn fitted(
         projection: Projection,
@@ -205,10 +205,10 @@ mod tests {
             max: DVec2::new(200.0, 100.0),
         };
         let projection = View::Front.projection(&camera());
-        let stage = Stage::fitted(projection, frame, [DVec3::ZERO, DVec3::new(4.0, 2.0, 0.0)]);
+        let space = Space::fitted(projection, frame, [DVec3::ZERO, DVec3::new(4.0, 2.0, 0.0)]);
         // 8 % of room: 184 for 4 units, 92 for 2
-        assert!((stage.scale - 46.0).abs() < 1e-9);
-        let at = stage.place(DVec3::new(2.0, 2.0, 7.0));
+        assert!((space.scale - 46.0).abs() < 1e-9);
+        let at = space.place(DVec3::new(2.0, 2.0, 7.0));
         assert!((at - DVec2::new(100.0, 4.0)).length() < 1e-9, "{at}");
     }
 
@@ -219,11 +219,11 @@ mod tests {
             max: DVec2::new(100.0, 100.0),
         };
         let projection = View::Front.projection(&camera());
-        let stage = Stage::fitted(projection, frame, [DVec3::ZERO, DVec3::ONE]);
+        let space = Space::fitted(projection, frame, [DVec3::ZERO, DVec3::ONE]);
         // 92 units for 1: the edge is 4 beyond (1, 1)
         let ray = Ray::new(DVec3::new(0.0, 0.5, 0.0), DVec3::X);
-        let t = stage.leaves(&ray).unwrap();
+        let t = space.leaves(&ray).unwrap();
         assert!((t - 96.0 / 92.0).abs() < 1e-12, "{t}");
-        assert_eq!(stage.leaves(&Ray::new(DVec3::ZERO, DVec3::Z)), None);
+        assert_eq!(space.leaves(&Ray::new(DVec3::ZERO, DVec3::Z)), None);
     }
 }

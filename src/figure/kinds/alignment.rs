@@ -15,7 +15,7 @@ use crate::figure::sheet::look::Look;
 use crate::figure::sheet::{Anchor, Sheet};
 use crate::figure::spec::Layer;
 use crate::figure::subject::{DrawnRay, Figure};
-use crate::figure::view::{Projection, Stage};
+use crate::figure::view::{Projection, Space};
 use crate::geometry::{Alignment, Cone, Ray, Sphere};
 use crate::scene::{PrimitiveId, Shape};
 use crate::structure::extent;
@@ -119,12 +119,12 @@ fn in_world(figure: &Figure, sheet: &mut Sheet, frame: Frame, laid: &Laid) {
     let far = furthest(figure, laid);
     let points = scenery::points_of(figure).into_iter();
     let room = frame.wider(-sheet.letters);
-    let stage = figure.stage(room, points.chain([laid.ray.origin, laid.ray.at(far)]));
-    world_axes(sheet, &stage);
+    let space = figure.space(room, points.chain([laid.ray.origin, laid.ray.at(far)]));
+    world_axes(sheet, &space);
     sheet.within(frame, |sheet| {
-        scenery::objects(figure, sheet, &stage, |_| Look::OBJECT);
+        scenery::objects(figure, sheet, &space, |_| Look::OBJECT);
         sheet.step(laid.starts, |sheet| {
-            let (from, to) = (stage.place(laid.ray.origin), stage.place(laid.ray.at(far)));
+            let (from, to) = (space.place(laid.ray.origin), space.place(laid.ray.at(far)));
             sheet.arrow(Look::RAY, from, to);
             sheet.dot(Look::RAY, from);
             sheet.label(frame, from, from - to, "(x₀, y₀, z₀)");
@@ -132,17 +132,17 @@ fn in_world(figure: &Figure, sheet: &mut Sheet, frame: Frame, laid: &Laid) {
                 sheet.step(*step, |sheet| {
                     // transformed back
                     let point = laid.frame.back(DVec3::new(0.0, 0.0, hit.z));
-                    mark(sheet, hit.place, stage.place(point));
+                    mark(sheet, hit.place, space.place(point));
                     if hit.place == 0 {
                         let across = (to - from).perp();
-                        sheet.label(frame, stage.place(point), across, coordinates(point));
+                        sheet.label(frame, space.place(point), across, coordinates(point));
                     }
                 });
             }
         });
     });
     if figure.shows(Layer::Names) {
-        scenery::names(figure, sheet, &stage);
+        scenery::names(figure, sheet, &space);
     }
 }
 
@@ -158,19 +158,19 @@ fn furthest(figure: &Figure, laid: &Laid) -> f64 {
 }
 
 /// The world's axes, in a corner.
-fn world_axes(sheet: &mut Sheet, stage: &Stage) {
+fn world_axes(sheet: &mut Sheet, space: &Space) {
     let length = 2.6 * sheet.letters;
     // the letter of an axis that points down stands below it
     let below = length + 1.2 * sheet.letters;
-    let corner = DVec2::new(stage.frame.min.x, stage.frame.max.y - below);
+    let corner = DVec2::new(space.frame.min.x, space.frame.max.y - below);
     let axes = DVec3::AXES.into_iter().zip(["x", "y", "z"]);
     for (axis, letter) in axes {
-        let along = stage.direction(axis);
+        let along = space.direction(axis);
         // one that points to who looks is no arrow
         if 0.3 < along.length() {
             let tip = corner + length * along;
             sheet.arrow(Look::THIN, corner, tip);
-            sheet.label(stage.frame, tip, along, letter);
+            sheet.label(space.frame, tip, along, letter);
         }
     }
 }
@@ -246,25 +246,25 @@ fn in_frame(figure: &Figure, sheet: &mut Sheet, frame: Frame, laid: &Laid) {
         .iter()
         .flat_map(|(_, outline, _)| outline.rim.points());
     let room = frame.wider(-0.8 * sheet.letters);
-    let stage = Stage::fitted_flat(projection, room, rims.chain(ends));
+    let space = Space::fitted_flat(projection, room, rims.chain(ends));
 
     for (_, outline, step) in &outlines {
         sheet.step(*step, |sheet| {
-            outline::draw(sheet, &stage, outline, Look::OBJECT);
+            outline::draw(sheet, &space, outline, Look::OBJECT);
         });
     }
     sheet.step(laid.step, |sheet| {
-        let [origin, tip] = ends.map(|end| stage.place_flat(end));
+        let [origin, tip] = ends.map(|end| space.place_flat(end));
         sheet.arrow(Look::RAY, origin, tip);
         sheet.dot(Look::RAY, origin);
         sheet.label(frame, tip, tip - origin, "z");
-        let positive = stage.direction(if letter == "x" { DVec3::X } else { DVec3::Y });
+        let positive = space.direction(if letter == "x" { DVec3::X } else { DVec3::Y });
         let short = origin + 2.6 * sheet.letters * positive;
         sheet.arrow(Look::THIN, origin, short);
         sheet.label(frame, short, positive, letter);
         for (hit, step) in &laid.sorted {
             sheet.step(*step, |sheet| {
-                let at = stage.place(DVec3::new(0.0, 0.0, hit.z));
+                let at = space.place(DVec3::new(0.0, 0.0, hit.z));
                 mark(sheet, hit.place, at);
             });
         }
@@ -275,7 +275,7 @@ fn in_frame(figure: &Figure, sheet: &mut Sheet, frame: Frame, laid: &Laid) {
     for object in &figure.scene.objects {
         let first = outlines.iter().find(|(id, _, _)| *id == object.first);
         if let Some((_, outline, _)) = first {
-            scenery::name_at(sheet, &stage, &outline.rim, &scenery::short(&object.name));
+            scenery::name_at(sheet, &space, &outline.rim, &scenery::short(&object.name));
         }
     }
 }

@@ -13,7 +13,7 @@ use crate::figure::sheet::look::Look;
 use crate::figure::spec::Layer;
 use crate::figure::subject::Figure;
 use crate::figure::traced::Section;
-use crate::figure::view::Stage;
+use crate::figure::view::Space;
 use crate::scene::PrimitiveId;
 use crate::trace::{Connection, Event, Purpose, Record};
 
@@ -186,45 +186,45 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
     let vertices = both.light.vertices.iter().chain(&both.eye.vertices);
     let mut points = scenery::points_of(figure);
     points.extend(vertices.map(|(_, at)| *at));
-    let stage = figure.stage(body, points);
+    let space = figure.space(body, points);
     if figure.shows(Layer::Objects) {
-        scenery::objects(figure, sheet, &stage, |_| Look::OBJECT);
+        scenery::objects(figure, sheet, &space, |_| Look::OBJECT);
     }
-    scenery::camera_and_lights(figure, sheet, &stage);
-    sheet.within(stage.frame, |sheet| {
+    scenery::camera_and_lights(figure, sheet, &space);
+    sheet.within(space.frame, |sheet| {
         if figure.shows(Layer::Connections) {
             for line in &both.lines {
-                connecting_line(sheet, &stage, line);
+                connecting_line(sheet, &space, line);
             }
         }
         if figure.shows(Layer::LightPaths) {
-            walk(sheet, &stage, &both.light, Look::LIGHT_RAY, "x");
+            walk(sheet, &space, &both.light, Look::LIGHT_RAY, "x");
         }
         if figure.shows(Layer::Ray) {
-            walk(sheet, &stage, &both.eye, Look::RAY, "y");
+            walk(sheet, &space, &both.eye, Look::RAY, "y");
         }
         if let Some(line) = worked {
             sheet.step(line.step, |sheet| {
                 let [from, to] =
-                    [line.connection.from, line.connection.to].map(|at| stage.place(at));
+                    [line.connection.from, line.connection.to].map(|at| space.place(at));
                 let across = (to - from).perp().normalize_or_zero();
-                sheet.label(stage.frame, from.midpoint(to), across, "G");
+                sheet.label(space.frame, from.midpoint(to), across, "G");
             });
         }
     });
     // after the vertices, which stand where they stand
     if figure.shows(Layer::Names) {
-        scenery::names(figure, sheet, &stage);
+        scenery::names(figure, sheet, &space);
     }
     Ok(in_words(figure, &both))
 }
 
 /// A path from vertex to vertex, each with its name.
-fn walk(sheet: &mut Sheet, stage: &Stage, walk: &Walk, look: Look, name: &str) {
+fn walk(sheet: &mut Sheet, space: &Space, walk: &Walk, look: Look, name: &str) {
     let mut before: Option<DVec2> = None;
     for (number, (step, at)) in walk.vertices.iter().enumerate() {
         sheet.step(*step, |sheet| {
-            let at = stage.place(*at);
+            let at = space.place(*at);
             let head = 4.0 * sheet.unit();
             let mut along = DVec2::ZERO;
             if let Some(before) = before {
@@ -237,7 +237,7 @@ fn walk(sheet: &mut Sheet, stage: &Stage, walk: &Walk, look: Look, name: &str) {
             } else {
                 along
             };
-            sheet.label(stage.frame, at, towards, vertex(name, number));
+            sheet.label(space.frame, at, towards, vertex(name, number));
             before = Some(at);
         });
     }
@@ -250,13 +250,13 @@ fn vertex(name: &str, number: usize) -> String {
     format!("{name}{index}")
 }
 
-fn connecting_line(sheet: &mut Sheet, stage: &Stage, line: &Line) {
+fn connecting_line(sheet: &mut Sheet, space: &Space, line: &Line) {
     sheet.step(line.step, |sheet| {
-        let ends = [line.connection.from, line.connection.to].map(|at| stage.place(at));
+        let ends = [line.connection.from, line.connection.to].map(|at| space.place(at));
         match line.blocked {
             Some((_, at)) if !line.connection.visible => {
                 sheet.line(Look::BLOCKED_CONNECTION, ends[0], ends[1]);
-                sheet.cross(Look::REJECTED, stage.place(at));
+                sheet.cross(Look::REJECTED, space.place(at));
             }
             _ => sheet.line(Look::CONNECTION, ends[0], ends[1]),
         }

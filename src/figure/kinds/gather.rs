@@ -15,7 +15,7 @@ use crate::figure::sheet::frame::Frame;
 use crate::figure::sheet::look::Look;
 use crate::figure::spec::Layer;
 use crate::figure::subject::Figure;
-use crate::figure::view::Stage;
+use crate::figure::view::Space;
 
 pub(super) const KIND: Kind = Kind {
     draw,
@@ -43,23 +43,23 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
     } else {
         body
     };
-    let stage = figure.stage(body, rim.iter().copied());
+    let space = figure.space(body, rim.iter().copied());
     let object = gathering.gathered.object;
     if figure.shows(Layer::Objects) {
         let shape = &figure.scene.primitive(object).shape;
-        let outline = Outline::of(shape, &stage.projection);
-        outline::draw(sheet, &stage, &outline, Look::OBJECT);
+        let outline = Outline::of(shape, &space.projection);
+        outline::draw(sheet, &space, &outline, Look::OBJECT);
         let name = scenery::name_of(figure.scene, object);
-        sheet.label_in(stage.frame, name);
+        sheet.label_in(space.frame, name);
     }
-    sheet.within(stage.frame, |sheet| {
+    sheet.within(space.frame, |sheet| {
         if figure.shows(Layer::Hits) {
-            stored(figure, sheet, &stage, gathering);
+            stored(figure, sheet, &space, gathering);
         }
-        let rim: Vec<DVec2> = rim.iter().map(|at| stage.projection.of(*at)).collect();
+        let rim: Vec<DVec2> = rim.iter().map(|at| space.projection.of(*at)).collect();
         sheet.step(gathering.step, |sheet| {
-            outline::rim(sheet, &stage, &Rim::Points(rim), Look::HIT);
-            photons(sheet, &stage, gathering, radius);
+            outline::rim(sheet, &space, &Rim::Points(rim), Look::HIT);
+            photons(sheet, &space, gathering, radius);
         });
     });
     let object = scenery::name_of(figure.scene, object);
@@ -81,7 +81,7 @@ fn numbers(gathering: &Gathering) -> Vec<String> {
 }
 
 /// All photons on the surface that the shown paths have left.
-fn stored(figure: &Figure, sheet: &mut Sheet, stage: &Stage, gathering: &Gathering) {
+fn stored(figure: &Figure, sheet: &mut Sheet, space: &Space, gathering: &Gathering) {
     let sections = figure.first.paths();
     for path in sections.iter().filter_map(LightPath::of) {
         for leg in &path.legs {
@@ -95,18 +95,18 @@ fn stored(figure: &Figure, sheet: &mut Sheet, stage: &Stage, gathering: &Gatheri
             sheet.step(leg.step, |sheet| {
                 let radius = 2.0 * sheet.unit();
                 let look = Look::THIN.inside().full();
-                sheet.circle(look, stage.place(photon.point), radius);
+                sheet.circle(look, space.place(photon.point), radius);
             });
         }
     }
 }
 
 /// The point, the photons around it and how far the last of them is.
-fn photons(sheet: &mut Sheet, stage: &Stage, gathering: &Gathering, radius: f64) {
-    let at = stage.place(gathering.gathered.point);
+fn photons(sheet: &mut Sheet, space: &Space, gathering: &Gathering, radius: f64) {
+    let at = space.place(gathering.gathered.point);
     let counted = gathering.counted().len();
     for (place, (step, photon)) in gathering.nearby.iter().enumerate() {
-        let to = stage.place(photon.point);
+        let to = space.place(photon.point);
         if place < counted {
             sheet.step(*step, |sheet| sheet.dot(Look::HIT, to));
             continue;
@@ -117,17 +117,17 @@ fn photons(sheet: &mut Sheet, stage: &Stage, gathering: &Gathering, radius: f64)
             let middle = at.lerp(to, 0.5);
             let across = (to - at).perp().normalize_or_zero();
             sheet.label(
-                stage.frame,
+                space.frame,
                 middle,
                 across,
                 format!("r = {}", quantity(radius)),
             );
             let outwards = (to - at).normalize_or_zero();
-            sheet.label(stage.frame, to, outwards, "does not count");
+            sheet.label(space.frame, to, outwards, "does not count");
         });
     }
     sheet.step(gathering.step, |sheet| {
         sheet.cross(Look::RAY, at);
-        sheet.label(stage.frame, at, DVec2::new(-1.0, 1.0), "p");
+        sheet.label(space.frame, at, DVec2::new(-1.0, 1.0), "p");
     });
 }

@@ -15,7 +15,7 @@ use crate::figure::sheet::frame::Frame;
 use crate::figure::sheet::look::{Dash, Look};
 use crate::figure::spec::Layer;
 use crate::figure::subject::{DrawnRay, Figure};
-use crate::figure::view::Stage;
+use crate::figure::view::Space;
 use crate::scene::PrimitiveId;
 use crate::trace::WalkEnd;
 
@@ -61,11 +61,11 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
         } else {
             Look::OBJECT
         };
-        scenery::objects(figure, sheet, &plan.stage, |_| look);
+        scenery::objects(figure, sheet, &plan.space, |_| look);
     }
     if figure.shows(Layer::Tests) {
         for listed in &tested {
-            object(figure, sheet, &plan.stage, (&ray, listed));
+            object(figure, sheet, &plan.space, (&ray, listed));
         }
     }
     if figure.shows(Layer::Ray) {
@@ -75,9 +75,9 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
         hits(figure, sheet, &plan, (&ray, &walk));
     }
     if figure.shows(Layer::Eye) {
-        scenery::eye(figure, sheet, &plan.stage);
+        scenery::eye(figure, sheet, &plan.space);
     }
-    scenery::names_of(figure, sheet, &plan.stage, |object| {
+    scenery::names_of(figure, sheet, &plan.space, |object| {
         let is_it = |listed: &Listed| figure.scene.object_of(listed.object).first == object.first;
         let is_tested = figure.shows(Layer::Tests) && tested.iter().any(is_it);
         is_tested || figure.shows(Layer::Names)
@@ -115,18 +115,18 @@ fn look(ray: &DrawnRay, tested: &Listed) -> Look {
 }
 
 /// An object that was tested, over its own outline.
-fn object(figure: &Figure, sheet: &mut Sheet, stage: &Stage, (ray, tested): (&DrawnRay, &Listed)) {
+fn object(figure: &Figure, sheet: &mut Sheet, space: &Space, (ray, tested): (&DrawnRay, &Listed)) {
     let shape = &figure.scene.primitive(tested.object).shape;
-    let outline = Outline::of(shape, &stage.projection);
+    let outline = Outline::of(shape, &space.projection);
     sheet.step(tested.step, |sheet| {
-        outline::rim(sheet, stage, &outline.rim, Look::PAPER_LINE.wide(2.0));
-        outline::draw(sheet, stage, &outline, look(ray, tested));
+        outline::rim(sheet, space, &outline.rim, Look::PAPER_LINE.wide(2.0));
+        outline::draw(sheet, space, &outline, look(ray, tested));
     });
 }
 
 /// Where objects were hit.
 fn hits(figure: &Figure, sheet: &mut Sheet, plan: &Plan, (ray, walk): (&DrawnRay, &Walk)) {
-    let frame = plan.stage.frame;
+    let frame = plan.space.frame;
     for (place, visit) in walk.visits.iter().enumerate() {
         for listed in &visit.listed {
             let Some(outside) = listed.outside else {

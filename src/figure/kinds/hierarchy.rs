@@ -111,23 +111,23 @@ impl Walk<'_> {
         let shown = root
             .into_iter()
             .chain(origin.filter(|_| figure.shows(Layer::Ray)));
-        let stage = figure.stage(frame, shown);
+        let space = figure.space(frame, shown);
         if figure.shows(Layer::Objects) {
-            scenery::objects(figure, sheet, &stage, |_| Look::OBJECT);
+            scenery::objects(figure, sheet, &space, |_| Look::OBJECT);
         }
         for (visit, slabs) in self.visits.nodes.iter().zip(&bounds) {
             if figure.shows(Layer::Volumes) {
                 sheet.step(visit.step, |sheet| {
-                    let around = bound::outline(slabs, &stage.projection);
-                    outline::draw(sheet, &stage, &around, visit.verdict.look().outline());
+                    let around = bound::outline(slabs, &space.projection);
+                    outline::draw(sheet, &space, &around, visit.verdict.look().outline());
                 });
             }
         }
         if figure.shows(Layer::Ray) {
-            self.ray(sheet, &stage);
+            self.ray(sheet, &space);
         }
         if figure.shows(Layer::Names) {
-            scenery::names(figure, sheet, &stage);
+            scenery::names(figure, sheet, &space);
         }
         if figure.shows(Layer::Volumes) && figure.shows(Layer::Numbers) {
             for (number, slabs) in bounds.iter().enumerate() {
@@ -135,16 +135,16 @@ impl Walk<'_> {
                 if self.tree.nodes[number].objects.len() == 1 && figure.shows(Layer::Names) {
                     continue;
                 }
-                let rim = bound::outline(slabs, &stage.projection).rim.points();
-                let on_sheet = rim.into_iter().map(|point| stage.place_flat(point));
+                let rim = bound::outline(slabs, &space.projection).rim.points();
+                let on_sheet = rim.into_iter().map(|point| space.place_flat(point));
                 let Some(around) = Frame::around(on_sheet) else {
                     continue;
                 };
                 let corner = DVec2::new(around.max.x, around.min.y);
-                if stage.frame.contains(corner) {
+                if space.frame.contains(corner) {
                     sheet.step(self.visits.nodes[number].step, |sheet| {
                         sheet.label(
-                            stage.frame,
+                            space.frame,
                             corner,
                             DVec2::new(1.0, -1.0),
                             number.to_string(),
@@ -156,20 +156,20 @@ impl Walk<'_> {
     }
 
     /// The ray as far as it goes.
-    fn ray(&self, sheet: &mut Sheet, stage: &crate::figure::view::Stage) {
+    fn ray(&self, sheet: &mut Sheet, space: &crate::figure::view::Space) {
         let Some(start) = self.ray.node.start else {
             return;
         };
-        let origin = stage.place(start.ray.origin);
+        let origin = space.place(start.ray.origin);
         let met = met(&self.ray);
-        let end = met.map(|(_, t)| t).or_else(|| stage.leaves(&start.ray));
-        let Some(end) = end.map(|t| stage.place(start.ray.at(t))) else {
+        let end = met.map(|(_, t)| t).or_else(|| space.leaves(&start.ray));
+        let Some(end) = end.map(|t| space.place(start.ray.at(t))) else {
             return;
         };
-        if let Some([from, to]) = stage.frame.cut_line([origin, end]) {
+        if let Some([from, to]) = space.frame.cut_line([origin, end]) {
             sheet.arrow(Look::RAY, from, to);
             let along = to - from;
-            sheet.label(stage.frame, from + 0.1 * along, along.perp(), "ray r");
+            sheet.label(space.frame, from + 0.1 * along, along.perp(), "ray r");
             if met.is_some() {
                 let test = self.visits.tested.iter().rfind(|(_, _, is_hit)| *is_hit);
                 sheet.step(test.map(|(_, step, _)| *step), |sheet| {

@@ -19,7 +19,7 @@ use crate::figure::sheet::frame::Frame;
 use crate::figure::sheet::look::Look;
 use crate::figure::spec::Layer;
 use crate::figure::subject::Figure;
-use crate::figure::view::{Projection, Stage};
+use crate::figure::view::{Projection, Space};
 use crate::geometry::{Ray, SlabInterval};
 use crate::structure::SlabVerdict;
 
@@ -58,11 +58,11 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
         min: drawing.min + margin,
         max: drawing.max,
     };
-    let stage = stage(&all, &ray, &found, projection, inner);
-    geometry(figure, sheet, &stage, &ray, &all, &found);
+    let space = space(&all, &ray, &found, projection, inner);
+    geometry(figure, sheet, &space, &ray, &all, &found);
 
     let axis = Axis {
-        stage: &stage,
+        space: &space,
         ray: &ray,
         frame: rows,
         row,
@@ -107,13 +107,13 @@ fn along_the_ray(figure: &Figure, ray: &Ray) -> Result<Projection, FigureError> 
 }
 
 /// From the ray's origin to behind the slabs, and the bound's own height.
-fn stage(
+fn space(
     all: &[Slab],
     ray: &Ray,
     found: &SlabTests,
     projection: Projection,
     frame: Frame,
-) -> Stage {
+) -> Space {
     /// A slab along the ray ends far away: so much further than the bound is shown.
     const FURTHEST: f64 = 1.5;
     /// The axis goes on behind the last plane.
@@ -137,29 +137,29 @@ fn stage(
     let aside = DVec2::new(0.0, ASIDE * height);
     let ends = [ray.origin, ray.at(BEYOND * end)].map(|p| projection.of(p));
     shown.extend(ends.iter().flat_map(|&p| [p - aside, p + aside]));
-    Stage::fitted_flat(projection, frame, shown)
+    Space::fitted_flat(projection, frame, shown)
 }
 
 /// The ray through the bound and its slabs.
 fn geometry(
     figure: &Figure,
     sheet: &mut Sheet,
-    stage: &Stage,
+    space: &Space,
     ray: &Ray,
     all: &[Slab],
     found: &SlabTests,
 ) {
     if figure.shows(Layer::Objects) {
-        scenery::some_objects(figure, sheet, stage, &found.objects(figure), Look::OBJECT);
+        scenery::some_objects(figure, sheet, space, &found.objects(figure), Look::OBJECT);
     }
     if figure.shows(Layer::Volumes) {
-        let around = bound::outline(all, &stage.projection);
-        outline::rim(sheet, stage, &around.rim, Look::VISITED.wide(2.5));
+        let around = bound::outline(all, &space.projection);
+        outline::rim(sheet, space, &around.rim, Look::VISITED.wide(2.5));
     }
     let middle = bound::middle(all);
     let room = Frame {
-        min: stage.frame.min + DVec2::new(0.0, 1.5 * sheet.letters),
-        max: stage.frame.max - DVec2::new(0.0, sheet.letters),
+        min: space.frame.min + DVec2::new(0.0, 1.5 * sheet.letters),
+        max: space.frame.max - DVec2::new(0.0, sheet.letters),
     };
     for slab in all {
         let test = found
@@ -167,20 +167,20 @@ fn geometry(
             .iter()
             .find(|(_, test)| test.step.slab == slab.number);
         sheet.step(test.map(|(step, _)| *step), |sheet| {
-            if figure.shows(Layer::Slabs) && slab.is_on_edge(&stage.projection) {
+            if figure.shows(Layer::Slabs) && slab.is_on_edge(&space.projection) {
                 let look = if test.is_some() {
                     Look::VISITED.outline().wide(1.0)
                 } else {
                     Look::CULLED
                 };
-                bound::pair(sheet, stage, room, slab, middle, look);
+                bound::pair(sheet, space, room, slab, middle, look);
             }
             if let Some((_, test)) = test
                 && let SlabInterval::Between { near, far } = test.step.interval
             {
                 for (t, is_near) in [(near, true), (far, false)] {
-                    let at = stage.place(ray.at(t));
-                    if !stage.frame.contains(at) {
+                    let at = space.place(ray.at(t));
+                    if !space.frame.contains(at) {
                         continue;
                     }
                     if is_near {
@@ -192,11 +192,11 @@ fn geometry(
             }
         });
     }
-    let from = stage.place(ray.origin);
-    let to = DVec2::new(stage.frame.max.x, from.y);
+    let from = space.place(ray.origin);
+    let to = DVec2::new(space.frame.max.x, from.y);
     sheet.arrow(Look::RAY, from, to);
     sheet.dot(Look::RAY, from);
-    sheet.label(stage.frame, from, DVec2::NEG_Y, "COP");
+    sheet.label(space.frame, from, DVec2::NEG_Y, "COP");
 }
 
 fn in_words(figure: &Figure, found: &SlabTests, slabs: usize) -> String {

@@ -15,7 +15,7 @@ use crate::figure::sheet::look::Look;
 use crate::figure::sheet::{Anchor, Sheet};
 use crate::figure::spec::Layer;
 use crate::figure::subject::Figure;
-use crate::figure::view::{Projection, Stage};
+use crate::figure::view::{Projection, Space};
 use crate::geometry::Ray;
 use crate::trace::{Event, RayEnd, RayStart};
 
@@ -85,26 +85,26 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
         let heights = heights.map(|at| at.y.clamp(start.y - most, start.y + most));
         shown.extend(heights.map(|y| DVec2::new(start.x, y)));
     }
-    let stage = Stage::fitted_flat(projection, above, shown);
+    let space = Space::fitted_flat(projection, above, shown);
 
     if figure.shows(Layer::Objects)
         && let Some(outline) = &met
     {
         sheet.step(line.end_step, |sheet| {
-            draw_outline(sheet, &stage, outline, Look::HIT);
+            draw_outline(sheet, &space, outline, Look::HIT);
         });
     }
     if figure.shows(Layer::Window) {
         let corners = scenery::window_corners(figure.scene).map(|of| projection.of(of));
         let look = Look::OBJECT.wide(1.5);
-        rim(sheet, &stage, &Rim::Points(corners.into()), look);
+        rim(sheet, &space, &Rim::Points(corners.into()), look);
     }
-    the_line(sheet, &stage, &line, &stops, ends);
-    labels(figure, sheet, &stage, &line, &stops);
-    scales_below(sheet, &stage, below, &stops, &line);
-    regions(sheet, &stage, below, &stops);
+    the_line(sheet, &space, &line, &stops, ends);
+    labels(figure, sheet, &space, &line, &stops);
+    scales_below(sheet, &space, below, &stops, &line);
+    regions(sheet, &space, below, &stops);
     if figure.shows(Layer::Objects) && figure.shows(Layer::Names) {
-        names(figure, sheet, &stage, &line, met.as_ref());
+        names(figure, sheet, &space, &line, met.as_ref());
     }
     Ok(in_words(figure, &line))
 }
@@ -164,13 +164,13 @@ fn stops(line: &Line) -> Vec<Stop> {
     stops
 }
 
-fn the_line(sheet: &mut Sheet, stage: &Stage, line: &Line, stops: &[Stop], ends: [DVec3; 2]) {
-    let at = |t: f64| stage.place(line.to_window.at(t));
-    let [from, to] = ends.map(|end| stage.place(end));
+fn the_line(sheet: &mut Sheet, space: &Space, line: &Line, stops: &[Stop], ends: [DVec3; 2]) {
+    let at = |t: f64| space.place(line.to_window.at(t));
+    let [from, to] = ends.map(|end| space.place(end));
     sheet.line(Look::LINE_OF_RAY, from, at(0.0));
     match line.end.t {
         Some(t) => {
-            let hit = stage.place(line.unit.ray.at(t));
+            let hit = space.place(line.unit.ray.at(t));
             sheet.line(Look::LINE_OF_RAY, hit, to);
             sheet.step(line.end_step, |sheet| {
                 sheet.line(Look::RAY, at(1.0), hit);
@@ -187,7 +187,7 @@ fn the_line(sheet: &mut Sheet, stage: &Stage, line: &Line, stops: &[Stop], ends:
                 } else {
                     Look::RAY
                 };
-                let place = stage.place(stop.point);
+                let place = space.place(stop.point);
                 if stop.t[0] < 0.0 {
                     sheet.ring(look.wide(1.5), place);
                 } else {
@@ -198,11 +198,11 @@ fn the_line(sheet: &mut Sheet, stage: &Stage, line: &Line, stops: &[Stop], ends:
     });
 }
 
-fn labels(figure: &Figure, sheet: &mut Sheet, stage: &Stage, line: &Line, stops: &[Stop]) {
+fn labels(figure: &Figure, sheet: &mut Sheet, space: &Space, line: &Line, stops: &[Stop]) {
     // the point behind the COP, which has no name, makes way for the others
     let behind = stops.len().min(1);
     for stop in stops[behind..].iter().chain(&stops[..behind]) {
-        let place = stage.place(stop.point);
+        let place = space.place(stop.point);
         let text = match (figure.shows(Layer::Numbers), stop.name) {
             (true, "") => coordinates(stop.point),
             (true, name) => format!("{name} {}", coordinates(stop.point)),
@@ -210,28 +210,28 @@ fn labels(figure: &Figure, sheet: &mut Sheet, stage: &Stage, line: &Line, stops:
             (false, name) => name.into(),
         };
         sheet.step(stop.step, |sheet| {
-            sheet.label(stage.frame, place, DVec2::NEG_Y, text);
+            sheet.label(space.frame, place, DVec2::NEG_Y, text);
         });
     }
     sheet.step(line.window_step, |sheet| {
-        let middle = stage.place(line.to_window.at(0.5));
-        let [from, to] = [0.0, 1.0].map(|t| stage.place(line.to_window.at(t)));
+        let middle = space.place(line.to_window.at(0.5));
+        let [from, to] = [0.0, 1.0].map(|t| space.place(line.to_window.at(t)));
         // between the lines down from the COP and the pixel's centre, or else without the numbers; the letters of a page are
         // narrower than those that are measured
         let room = from.distance(to);
         let text = format!("Δ = {}", coordinates(line.to_window.direction));
         let is_told = figure.shows(Layer::Numbers) && sheet.width_of(&text) <= room;
         let text = if is_told { text } else { "Δ".into() };
-        sheet.label(stage.frame, middle, DVec2::Y, text);
+        sheet.label(space.frame, middle, DVec2::Y, text);
     });
     if figure.shows(Layer::Window) {
-        let corners = scenery::window_corners(figure.scene).map(|of| stage.projection.of(of));
+        let corners = scenery::window_corners(figure.scene).map(|of| space.projection.of(of));
         let around = hull(corners.into()).into_iter();
-        let around: Vec<DVec2> = around.map(|at| stage.place_flat(at)).collect();
+        let around: Vec<DVec2> = around.map(|at| space.place_flat(at)).collect();
         // of a window larger than the frame its highest point that is seen
-        let seen = stage.frame.cut_polygon(&around);
+        let seen = space.frame.cut_polygon(&around);
         if let Some(&top) = seen.iter().min_by(|a, b| a.y.total_cmp(&b.y)) {
-            sheet.label(stage.frame, top, DVec2::NEG_Y, "window");
+            sheet.label(space.frame, top, DVec2::NEG_Y, "window");
         }
     }
 }
@@ -241,14 +241,14 @@ fn scale_height(sheet: &Sheet) -> f64 {
     2.6 * sheet.letters
 }
 
-fn scales_below(sheet: &mut Sheet, stage: &Stage, below: Frame, stops: &[Stop], line: &Line) {
+fn scales_below(sheet: &mut Sheet, space: &Space, below: Frame, stops: &[Stop], line: &Line) {
     let height = scale_height(sheet);
     let lengths = [line.to_window.direction.length(), 1.0];
     let tick = 5.0 * sheet.unit();
     for (scale, length) in lengths.into_iter().enumerate() {
         let step = [None, Some(line.unit_step)][scale];
         let y = below.min.y + (scale as f64 + 0.4) * height;
-        let [left, right] = [stage.frame.min.x, stage.frame.max.x].map(|x| DVec2::new(x, y));
+        let [left, right] = [space.frame.min.x, space.frame.max.x].map(|x| DVec2::new(x, y));
         sheet.step(step, |sheet| {
             sheet.arrow(Look::THIN.wide(1.25), left, right);
             let name = DVec2::new(below.min.x, y);
@@ -256,7 +256,7 @@ fn scales_below(sheet: &mut Sheet, stage: &Stage, below: Frame, stops: &[Stop], 
             let end = right - DVec2::new(0.0, 0.9 * sheet.letters);
             sheet.text(Anchor::End, end, "t");
             for stop in stops {
-                let x = stage.place(stop.point).x;
+                let x = space.place(stop.point).x;
                 sheet.step(step.max(stop.step), |sheet| {
                     let [from, to] = [-tick, tick].map(|by| DVec2::new(x, y + by));
                     sheet.line(Look::THIN.wide(1.5), from, to);
@@ -268,7 +268,7 @@ fn scales_below(sheet: &mut Sheet, stage: &Stage, below: Frame, stops: &[Stop], 
     }
     // from the points down to the first scale
     for stop in stops {
-        let from = stage.place(stop.point);
+        let from = space.place(stop.point);
         let y = below.min.y + 0.4 * height - tick;
         sheet.step(stop.step, |sheet| {
             sheet.line(Look::HELP.wide(0.75), from, DVec2::new(from.x, y));
@@ -277,15 +277,15 @@ fn scales_below(sheet: &mut Sheet, stage: &Stage, below: Frame, stops: &[Stop], 
 }
 
 /// What the parts of the line are, below the scales.
-fn regions(sheet: &mut Sheet, stage: &Stage, below: Frame, stops: &[Stop]) {
+fn regions(sheet: &mut Sheet, space: &Space, below: Frame, stops: &[Stop]) {
     let y = below.max.y - 0.5 * sheet.line_height();
-    let x = |stop: &Stop| stage.place(stop.point).x;
+    let x = |stop: &Stop| space.place(stop.point).x;
     let [_, cop, window, ..] = stops else {
         return;
     };
     let parts = [
-        (stage.frame.min.x, x(cop), "behind the COP"),
-        (x(window), stage.frame.max.x, "beyond the window"),
+        (space.frame.min.x, x(cop), "behind the COP"),
+        (x(window), space.frame.max.x, "beyond the window"),
     ];
     for (from, to, text) in parts {
         let middle = DVec2::new(f64::midpoint(from, to), y);
@@ -293,7 +293,7 @@ fn regions(sheet: &mut Sheet, stage: &Stage, below: Frame, stops: &[Stop]) {
     }
 }
 
-fn names(figure: &Figure, sheet: &mut Sheet, stage: &Stage, line: &Line, met: Option<&Outline>) {
+fn names(figure: &Figure, sheet: &mut Sheet, space: &Space, line: &Line, met: Option<&Outline>) {
     let (Some(id), Some(outline)) = (line.end.object, met) else {
         return;
     };
@@ -301,7 +301,7 @@ fn names(figure: &Figure, sheet: &mut Sheet, stage: &Stage, line: &Line, met: Op
     let middle = points.iter().sum::<DVec2>() / points.len().max(1) as f64;
     sheet.step(line.end_step, |sheet| {
         let name = scenery::name_of(figure.scene, id);
-        sheet.label(stage.frame, stage.place_flat(middle), DVec2::Y, name);
+        sheet.label(space.frame, space.place_flat(middle), DVec2::Y, name);
     });
 }
 

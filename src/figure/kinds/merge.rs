@@ -14,7 +14,7 @@ use crate::figure::sheet::look::{Dash, Look};
 use crate::figure::sheet::{Anchor, Sheet};
 use crate::figure::spec::Layer;
 use crate::figure::subject::Figure;
-use crate::figure::view::{Projection, Stage};
+use crate::figure::view::{Projection, Space};
 use crate::geometry::MOST_SLABS;
 use crate::scene::PrimitiveId;
 use crate::structure::{Hierarchy, Link, MergeStep, range};
@@ -73,61 +73,61 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
     /// So much more than the bound is shown, so that its planes are seen to go on.
     const AROUND: f64 = 1.3;
     let shown = bound::corners(both).into_iter();
-    let stage = figure.stage(drawing, shown.map(|p| middle + AROUND * (p - middle)));
+    let space = figure.space(drawing, shown.map(|p| middle + AROUND * (p - middle)));
     if figure.shows(Layer::Objects) {
-        scenery::some_objects(figure, sheet, &stage, &joined.objects, Look::OBJECT);
+        scenery::some_objects(figure, sheet, &space, &joined.objects, Look::OBJECT);
     }
     if figure.shows(Layer::Volumes) {
         for slabs in [first, second] {
-            let around = bound::outline(slabs, &stage.projection);
-            outline::rim(sheet, &stage, &around.rim, ONE);
+            let around = bound::outline(slabs, &space.projection);
+            outline::rim(sheet, &space, &around.rim, ONE);
         }
     }
     // names stand at the ends of the lines
-    let room = stage.frame.wider(-1.75 * sheet.letters);
+    let room = space.frame.wider(-1.75 * sheet.letters);
     if figure.shows(Layer::Slabs) {
-        planes(sheet, &stage, room, &joined);
+        planes(sheet, &space, room, &joined);
     }
     if figure.shows(Layer::Volumes) {
         sheet.step(joined.steps.last().map(|(step, _)| *step), |sheet| {
-            let around = bound::outline(both, &stage.projection);
-            outline::rim(sheet, &stage, &around.rim, BOTH);
+            let around = bound::outline(both, &space.projection);
+            outline::rim(sheet, &space, &around.rim, BOTH);
         });
     }
     if figure.shows(Layer::Names) {
         for (slabs, name) in [first, second].into_iter().zip(&joined.names) {
-            let at = stage.place(bound::middle(slabs));
-            sheet.label(stage.frame, at, DVec2::X, name.as_str());
+            let at = space.place(bound::middle(slabs));
+            sheet.label(space.frame, at, DVec2::X, name.as_str());
         }
     }
     Ok(in_words(&joined, &projection))
 }
 
 /// The planes of the bound of both, with the names of their normals.
-fn planes(sheet: &mut Sheet, stage: &Stage, room: Frame, joined: &Joined) {
+fn planes(sheet: &mut Sheet, space: &Space, room: Frame, joined: &Joined) {
     let both = &joined.bounds[2];
     let middle = bound::middle(both);
     let mut named = Vec::new();
     let mut lines = Vec::new();
     for (slab, (step, _)) in both.iter().zip(&joined.steps) {
-        if !slab.is_on_edge(&stage.projection) {
+        if !slab.is_on_edge(&space.projection) {
             continue;
         }
         for d in [slab.d_min, slab.d_max] {
-            if let Some(line) = slab.line(stage, room, d, middle) {
+            if let Some(line) = slab.line(space, room, d, middle) {
                 named.push((*step, slab.name()));
                 lines.push(line);
             }
         }
     }
-    let rim = bound::outline(both, &stage.projection).rim.points();
-    let rim: Vec<DVec2> = rim.iter().map(|at| stage.place_flat(*at)).collect();
+    let rim = bound::outline(both, &space.projection).rim.points();
+    let rim: Vec<DVec2> = rim.iter().map(|at| space.place_flat(*at)).collect();
     let lines = with_names(&lines, &rim, sheet.letters);
     for ((step, name), line) in named.into_iter().zip(lines) {
         let [from, to] = line.ends;
         sheet.step(step, |sheet| {
             sheet.line(Look::VISITED.outline().wide(1.0), from, to);
-            sheet.label(stage.frame, to, line.towards, name);
+            sheet.label(space.frame, to, line.towards, name);
         });
     }
 }

@@ -15,7 +15,7 @@ use crate::figure::sheet::frame::Frame;
 use crate::figure::sheet::look::Look;
 use crate::figure::spec::Layer;
 use crate::figure::subject::Figure;
-use crate::figure::view::Stage;
+use crate::figure::view::Space;
 use crate::scene::PrimitiveId;
 use crate::structure::AssignStep;
 use crate::trace::Event;
@@ -32,10 +32,10 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
     let lattice = Lattice::of(&walk.grid);
     // room for what stands beside the box
     let room = body.wider(-0.5 * sheet.letters);
-    let stage = figure.stage(room, lattice.box_corners());
+    let space = figure.space(room, lattice.box_corners());
 
     if figure.shows(Layer::Objects) {
-        scenery::objects(figure, sheet, &stage, |_| Look::OBJECT);
+        scenery::objects(figure, sheet, &space, |_| Look::OBJECT);
     }
     let [x, y, z] = lattice.resolution;
     let mut words = format!(
@@ -44,24 +44,24 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
     );
     if figure.shows(Layer::Lists) {
         depth_axis(figure)?;
-        words += &lists(figure, sheet, &stage, &lattice);
+        words += &lists(figure, sheet, &space, &lattice);
     }
     if figure.shows(Layer::Cells) {
-        planes(sheet, &stage, &lattice);
+        planes(sheet, &space, &lattice);
     }
-    let whole = lattice.whole(&stage.projection);
-    outline::draw(sheet, &stage, &whole, Look::THIN.wide(1.75));
+    let whole = lattice.whole(&space.projection);
+    outline::draw(sheet, &space, &whole, Look::THIN.wide(1.75));
     if figure.shows(Layer::Numbers) {
-        numbers(sheet, &stage, &lattice);
+        numbers(sheet, &space, &lattice);
     }
     if figure.shows(Layer::Names) {
-        scenery::names(figure, sheet, &stage);
+        scenery::names(figure, sheet, &space);
     }
     Ok(words)
 }
 
 /// The list of each cell in braces, as the events of the building fill it; and in words.
-fn lists(figure: &Figure, sheet: &mut Sheet, stage: &Stage, lattice: &Lattice) -> String {
+fn lists(figure: &Figure, sheet: &mut Sheet, space: &Space, lattice: &Lattice) -> String {
     let mut lists: BTreeMap<[u32; 3], (u32, Vec<String>)> = BTreeMap::new();
     let mut cells_of: Vec<(PrimitiveId, usize)> = Vec::new();
     for record in figure.first.building() {
@@ -77,7 +77,7 @@ fn lists(figure: &Figure, sheet: &mut Sheet, stage: &Stage, lattice: &Lattice) -
         }
     }
     for (cell, (step, names)) in lists {
-        let Some(area) = lattice.area(cell, stage) else {
+        let Some(area) = lattice.area(cell, space) else {
             continue;
         };
         sheet.step(step, |sheet| {
@@ -97,8 +97,8 @@ fn lists(figure: &Figure, sheet: &mut Sheet, stage: &Stage, lattice: &Lattice) -
 const FLAT: f64 = 1e-9;
 
 /// The planes between the cells, on the faces of the box that are seen.
-fn planes(sheet: &mut Sheet, stage: &Stage, lattice: &Lattice) {
-    let towards = stage.projection.towards();
+fn planes(sheet: &mut Sheet, space: &Space, lattice: &Lattice) {
+    let towards = space.projection.towards();
     for axis in 0..3 {
         if towards[axis].abs() <= FLAT {
             continue;
@@ -111,18 +111,18 @@ fn planes(sheet: &mut Sheet, stage: &Stage, lattice: &Lattice) {
                 let end = |to: u32| {
                     let mut at = [face; 3];
                     (at[across], at[along]) = (place, to);
-                    stage.projection.of(lattice.corner(at))
+                    space.projection.of(lattice.corner(at))
                 };
                 let line = [end(0), end(n[along])];
-                outline::line_on(sheet, stage, Look::THIN.wide(0.75), &line);
+                outline::line_on(sheet, space, Look::THIN.wide(0.75), &line);
             }
         }
     }
 }
 
 /// How many cells there are along each axis, beside an edge.
-fn numbers(sheet: &mut Sheet, stage: &Stage, lattice: &Lattice) {
-    let towards = stage.projection.towards();
+fn numbers(sheet: &mut Sheet, space: &Space, lattice: &Lattice) {
+    let towards = space.projection.towards();
     for (axis, name) in ["x", "y", "z"].into_iter().enumerate() {
         if 1.0 - FLAT <= towards[axis].abs() {
             // seen from its end
@@ -136,7 +136,7 @@ fn numbers(sheet: &mut Sheet, stage: &Stage, lattice: &Lattice) {
             let end = |of: u32| {
                 let mut at = [of * n[axis]; 3];
                 (at[a], at[b]) = (ends[0] * n[a], ends[1] * n[b]);
-                stage.place(lattice.corner(at))
+                space.place(lattice.corner(at))
             };
             end(0).lerp(end(1), 0.5)
         });
@@ -148,7 +148,7 @@ fn numbers(sheet: &mut Sheet, stage: &Stage, lattice: &Lattice) {
             1 => "1 cell".into(),
             many => format!("{many} cells"),
         };
-        let middle = stage.frame.middle();
+        let middle = space.frame.middle();
         let sideways = DVec2::new((at.x - middle.x).signum(), 0.0);
         sheet.label(
             sheet.body(),

@@ -20,7 +20,7 @@ use crate::figure::sheet::{Anchor, Sheet};
 use crate::figure::spec::Layer;
 use crate::figure::subject::Figure;
 use crate::figure::traced::Section;
-use crate::figure::view::Stage;
+use crate::figure::view::Space;
 use crate::trace::{Purpose, RayTree, Transport};
 
 pub(super) const KIND: Kind = Kind {
@@ -172,32 +172,32 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
     } else {
         body
     };
-    let stage = figure.stage(body, scenery::points_of(figure));
+    let space = figure.space(body, scenery::points_of(figure));
     if figure.shows(Layer::Objects) {
-        scenery::objects(figure, sheet, &stage, |_| Look::OBJECT);
+        scenery::objects(figure, sheet, &space, |_| Look::OBJECT);
     }
     if figure.shows(Layer::Names) {
-        scenery::names(figure, sheet, &stage);
+        scenery::names(figure, sheet, &space);
     }
     if figure.shows(Layer::Window) {
-        scenery::window(figure, sheet, &stage);
+        scenery::window(figure, sheet, &space);
     }
     if figure.shows(Layer::Eye) {
-        eye(figure, sheet, &stage);
+        eye(figure, sheet, &space);
     }
     if figure.shows(Layer::Lights) {
-        scenery::lights(figure, sheet, &stage);
+        scenery::lights(figure, sheet, &space);
     }
     if figure.shows(Layer::LightPaths) {
-        paths(figure, sheet, &stage, &shown);
+        paths(figure, sheet, &space, &shown);
     }
     for (section, gatherings) in &shown.pixels {
         if figure.shows(Layer::Ray) {
-            eye_rays(figure, sheet, &stage, section);
+            eye_rays(figure, sheet, &space, section);
         }
         if figure.shows(Layer::Hits) {
             for gathering in gatherings {
-                disc_around(figure, sheet, &stage, gathering);
+                disc_around(figure, sheet, &space, gathering);
             }
         }
     }
@@ -237,37 +237,37 @@ fn numbers(figure: &Figure, sheet: &mut Sheet, body: Frame, shown: &Shown) -> Fr
 }
 
 /// The eye with its aperture, where light must pass it.
-fn eye(figure: &Figure, sheet: &mut Sheet, stage: &Stage) {
+fn eye(figure: &Figure, sheet: &mut Sheet, space: &Space) {
     let settings = &figure.first.settings;
     if settings.transport == Transport::Forward {
         let camera = &figure.scene.camera;
         let radius = settings.light.aperture_radius(camera);
         let rim = disc::rim(camera.cop, camera.window_normal(), radius);
-        let rim: Vec<DVec2> = rim.iter().map(|at| stage.projection.of(*at)).collect();
+        let rim: Vec<DVec2> = rim.iter().map(|at| space.projection.of(*at)).collect();
         let top = rim.iter().copied().max_by(|a, b| a.y.total_cmp(&b.y));
-        outline::rim(sheet, stage, &Rim::Points(rim), Look::VISITED.wide(3.0));
-        let top = top.map(|top| stage.place_flat(top));
-        if let Some(top) = top.filter(|top| stage.frame.contains(*top)) {
-            sheet.label(stage.frame, top, DVec2::NEG_Y, "aperture");
+        outline::rim(sheet, space, &Rim::Points(rim), Look::VISITED.wide(3.0));
+        let top = top.map(|top| space.place_flat(top));
+        if let Some(top) = top.filter(|top| space.frame.contains(*top)) {
+            sheet.label(space.frame, top, DVec2::NEG_Y, "aperture");
         }
     }
-    scenery::eye(figure, sheet, stage);
+    scenery::eye(figure, sheet, space);
 }
 
 /// The legs of all paths with the photons at their ends.
-fn paths(figure: &Figure, sheet: &mut Sheet, stage: &Stage, shown: &Shown) {
+fn paths(figure: &Figure, sheet: &mut Sheet, space: &Space, shown: &Shown) {
     for (path, uses) in &shown.paths {
         for (leg, of) in path.legs.iter().zip(uses) {
             if drawn(figure).contains(of) {
                 sheet.step(leg.step, |sheet| {
-                    draw_leg(figure, sheet, stage, leg, *of);
+                    draw_leg(figure, sheet, space, leg, *of);
                 });
             }
         }
     }
 }
 
-fn draw_leg(figure: &Figure, sheet: &mut Sheet, stage: &Stage, leg: &Leg, of: Use) {
+fn draw_leg(figure: &Figure, sheet: &mut Sheet, space: &Space, leg: &Leg, of: Use) {
     let ray = &leg.start.ray;
     let end = match (leg.arrival, leg.end.t) {
         // it goes on behind the eye, where nobody looks
@@ -275,13 +275,13 @@ fn draw_leg(figure: &Figure, sheet: &mut Sheet, stage: &Stage, leg: &Leg, of: Us
         (None, t) => t.map(|t| ray.at(t)),
     };
     let to = match end {
-        Some(end) => stage.place(end),
-        None => match stage.leaves(ray) {
-            Some(t) => stage.place(ray.at(t)),
+        Some(end) => space.place(end),
+        None => match space.leaves(ray) {
+            Some(t) => space.place(ray.at(t)),
             None => return,
         },
     };
-    let Some([from, to]) = stage.frame.cut_line([stage.place(ray.origin), to]) else {
+    let Some([from, to]) = space.frame.cut_line([space.place(ray.origin), to]) else {
         return;
     };
     let is_seen = of == Use::Seen;
@@ -301,17 +301,17 @@ fn draw_leg(figure: &Figure, sheet: &mut Sheet, stage: &Stage, leg: &Leg, of: Us
 }
 
 /// The rays from the eye, and the rays that they spawned.
-fn eye_rays(figure: &Figure, sheet: &mut Sheet, stage: &Stage, section: &Section) {
+fn eye_rays(figure: &Figure, sheet: &mut Sheet, space: &Space, section: &Section) {
     let tree = RayTree::new(section.records);
     for node in &tree.rays {
         let (Some(start), Some(end), [_, Some(at)]) = (node.start, node.end, node.ends_at) else {
             continue;
         };
-        let Some(t) = end.t.or_else(|| stage.leaves(&start.ray)) else {
+        let Some(t) = end.t.or_else(|| space.leaves(&start.ray)) else {
             continue;
         };
-        let ends = [start.ray.origin, start.ray.at(t)].map(|of| stage.place(of));
-        let Some([from, to]) = stage.frame.cut_line(ends) else {
+        let ends = [start.ray.origin, start.ray.at(t)].map(|of| space.place(of));
+        let Some([from, to]) = space.frame.cut_line(ends) else {
             continue;
         };
         sheet.step(section.step(&section.records[at]), |sheet| {
@@ -324,7 +324,7 @@ fn eye_rays(figure: &Figure, sheet: &mut Sheet, stage: &Stage, section: &Section
             if start.purpose == Purpose::Eye {
                 let across = (to - from).perp().normalize_or_zero();
                 let up = if 0.0 < across.y { -across } else { across };
-                sheet.label(stage.frame, from.lerp(to, 0.45), up, "eye ray");
+                sheet.label(space.frame, from.lerp(to, 0.45), up, "eye ray");
             }
             if figure.shows(Layer::Hits) && end.t.is_some() {
                 sheet.dot(Look::HIT, to);
@@ -334,18 +334,18 @@ fn eye_rays(figure: &Figure, sheet: &mut Sheet, stage: &Stage, section: &Section
 }
 
 /// The disc around a point that holds its nearest photons.
-fn disc_around(figure: &Figure, sheet: &mut Sheet, stage: &Stage, gathering: &Gathering) {
+fn disc_around(figure: &Figure, sheet: &mut Sheet, space: &Space, gathering: &Gathering) {
     let Some(rim) = gathering.disc(figure.scene) else {
         return;
     };
     sheet.step(gathering.step, |sheet| {
-        let rim: Vec<DVec2> = rim.iter().map(|at| stage.projection.of(*at)).collect();
-        let [left, right] = ends_across(&rim).map(|at| stage.place_flat(at));
-        outline::rim(sheet, stage, &Rim::Points(rim), Look::HIT.wide(5.0));
+        let rim: Vec<DVec2> = rim.iter().map(|at| space.projection.of(*at)).collect();
+        let [left, right] = ends_across(&rim).map(|at| space.place_flat(at));
+        outline::rim(sheet, space, &Rim::Points(rim), Look::HIT.wide(5.0));
         let end = if left.x < right.x { right } else { left };
-        if stage.frame.contains(end) {
+        if space.frame.contains(end) {
             let text = format!("disc of {} photons", gathering.gathered.count);
-            sheet.label(stage.frame, end, DVec2::ONE, text);
+            sheet.label(space.frame, end, DVec2::ONE, text);
         }
     });
 }

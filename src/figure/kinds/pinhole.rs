@@ -14,7 +14,7 @@ use crate::figure::sheet::look::Look;
 use crate::figure::sheet::{Anchor, Sheet};
 use crate::figure::spec::Layer;
 use crate::figure::subject::Figure;
-use crate::figure::view::{Stage, View};
+use crate::figure::view::{Space, View};
 use crate::scene::{Camera, PrimitiveId};
 use crate::trace::{Event, RayTree};
 
@@ -59,12 +59,12 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
         0.0
     };
     let [body, _] = body.split_top(body.size().y - room);
-    let stage = figure.stage(body, points);
-    let is_edge_on = is_edge_on(&stage, camera);
+    let space = figure.space(body, points);
+    let is_edge_on = is_edge_on(&space, camera);
 
-    case.draw(sheet, &stage, camera.cop, is_edge_on);
+    case.draw(sheet, &space, camera.cop, is_edge_on);
     if figure.shows(Layer::Objects) {
-        scenery::objects(figure, sheet, &stage, |id| {
+        scenery::objects(figure, sheet, &space, |id| {
             if seen.iter().any(|of| of.object == id) {
                 Look::HIT
             } else {
@@ -73,23 +73,23 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
         });
     }
     if figure.shows(Layer::Pixels) && !is_edge_on {
-        picture(figure, sheet, &stage);
+        picture(figure, sheet, &space);
     }
-    panels(figure, sheet, &stage);
+    panels(figure, sheet, &space);
     if figure.shows(Layer::Ray) {
         for (of, name) in seen.iter().zip(NAMES) {
             sheet.step(of.step, |sheet| {
-                ray(sheet, &stage, camera, of, name);
+                ray(sheet, &space, camera, of, name);
             });
         }
     }
-    images(sheet, &stage, &seen, is_edge_on);
+    images(sheet, &space, &seen, is_edge_on);
     if has_distances {
-        distances(sheet, &stage, camera, &case);
+        distances(sheet, &space, camera, &case);
     }
-    words(figure, sheet, &stage, camera, &case);
+    words(figure, sheet, &space, camera, &case);
     if figure.shows(Layer::Names) {
-        scenery::names(figure, sheet, &stage);
+        scenery::names(figure, sheet, &space);
     }
     let sentences: Vec<String> = seen.iter().map(|of| in_words(figure, of)).collect();
     Ok(sentences.join(" "))
@@ -150,10 +150,10 @@ fn behind(camera: &Camera, on_window: DVec3) -> DVec3 {
 }
 
 /// Is the window seen from its edge?
-fn is_edge_on(stage: &Stage, camera: &Camera) -> bool {
+fn is_edge_on(space: &Space, camera: &Camera) -> bool {
     let normal = camera.right.cross(camera.up).normalize_or_zero();
     // less than a degree from it
-    normal.dot(stage.projection.towards()).abs() < 0.017
+    normal.dot(space.projection.towards()).abs() < 0.017
 }
 
 /// The closed box: its back panel around the negative, the pinhole in the middle of its front panel.
@@ -182,13 +182,13 @@ impl Case {
     }
 
     /// The three edges that lie behind the box are dotted; the front panel has a hole.
-    fn draw(&self, sheet: &mut Sheet, stage: &Stage, pinhole: DVec3, is_edge_on: bool) {
-        let towards = stage.projection.towards();
+    fn draw(&self, sheet: &mut Sheet, space: &Space, pinhole: DVec3, is_edge_on: bool) {
+        let towards = space.projection.towards();
         let far = (0..8).min_by(|&a, &b| {
             let depth = |i: usize| towards.dot(self.corners[i]);
             depth(a).total_cmp(&depth(b))
         });
-        let at = self.corners.map(|corner| stage.projection.of(corner));
+        let at = self.corners.map(|corner| space.projection.of(corner));
         let look = Look::OBJECT.outline().wide(1.75);
         let mut edges: Vec<[usize; 2]> = Vec::with_capacity(12);
         for i in 0..4 {
@@ -201,18 +201,18 @@ impl Case {
         for [from, to] in edges {
             let is_hidden = !is_edge_on && (Some(from) == far || Some(to) == far);
             let look = if is_hidden { Look::HIDDEN } else { look };
-            line_on(sheet, stage, look, &[at[from], at[to]]);
+            line_on(sheet, space, look, &[at[from], at[to]]);
         }
-        let hole = stage.place(pinhole);
+        let hole = space.place(pinhole);
         if !is_edge_on {
-            let front = self.corners[4..].iter().map(|of| stage.place(*of));
+            let front = self.corners[4..].iter().map(|of| space.place(*of));
             sheet.polygon(Look::OBJECT.inside(), front.collect());
             sheet.circle(Look::THIN.wide(1.5), hole, 3.5 * sheet.unit());
             return;
         }
         let gap = 3.5 * sheet.unit();
         for corner in &self.corners[4..] {
-            let end = stage.place(*corner);
+            let end = space.place(*corner);
             let along = (end - hole).normalize_or_zero();
             sheet.line(look, end, hole + gap * along);
         }
@@ -220,7 +220,7 @@ impl Case {
 }
 
 /// The colours of the pixels, on the window and on the negative; what sees the background is left clear.
-fn picture(figure: &Figure, sheet: &mut Sheet, stage: &Stage) {
+fn picture(figure: &Figure, sheet: &mut Sheet, space: &Space) {
     let camera = &figure.scene.camera;
     let [width, height] = camera.pixels;
     let background = figure.scene.background.clamp(DVec3::ZERO, DVec3::ONE);
@@ -246,7 +246,7 @@ fn picture(figure: &Figure, sheet: &mut Sheet, stage: &Stage) {
                 } else {
                     corners
                 };
-                let corners = corners.map(|corner| stage.place(corner));
+                let corners = corners.map(|corner| space.place(corner));
                 let rgb = (*colour * 255.0).round().to_array().map(|of| of as u8);
                 sheet.patch(corners.into(), rgb);
             }
@@ -255,11 +255,11 @@ fn picture(figure: &Figure, sheet: &mut Sheet, stage: &Stage) {
 }
 
 /// The rims of the negative and the window.
-fn panels(figure: &Figure, sheet: &mut Sheet, stage: &Stage) {
+fn panels(figure: &Figure, sheet: &mut Sheet, space: &Space) {
     let camera = &figure.scene.camera;
     let window = scenery::window_corners(figure.scene);
     let negative = window.map(|corner| behind(camera, corner));
-    let place = |corners: [DVec3; 4]| corners.map(|corner| stage.place(corner)).to_vec();
+    let place = |corners: [DVec3; 4]| corners.map(|corner| space.place(corner)).to_vec();
     sheet.polygon(Look::THIN.wide(1.25), place(negative));
     if figure.shows(Layer::Window) {
         sheet.polygon(Look::THIN.wide(1.75), place(window));
@@ -267,45 +267,45 @@ fn panels(figure: &Figure, sheet: &mut Sheet, stage: &Stage) {
 }
 
 /// The line through the pinhole: the eye ray before it, the light behind it.
-fn ray(sheet: &mut Sheet, stage: &Stage, camera: &Camera, of: &Seen, name: &str) {
+fn ray(sheet: &mut Sheet, space: &Space, camera: &Camera, of: &Seen, name: &str) {
     let [point, window, pinhole, negative] =
-        [of.point, of.on_window, camera.cop, of.on_negative].map(|at| stage.place(at));
+        [of.point, of.on_window, camera.cop, of.on_negative].map(|at| space.place(at));
     let along = (point - pinhole).normalize_or_zero();
     sheet.arrow(Look::RAY, pinhole, point - 4.0 * sheet.unit() * along);
     sheet.arrow(Look::SHADOW_RAY, pinhole, negative);
     sheet.dot(Look::HIT, point);
     sheet.dot(Look::RAY, window);
-    sheet.label(stage.frame, point, along, name);
+    sheet.label(space.frame, point, along, name);
     sheet.label(
-        stage.frame,
+        space.frame,
         window,
         DVec2::new(1.0, along.y.signum()),
         format!("{name}′"),
     );
-    sheet.label(stage.frame, negative, -along, format!("{name}″"));
+    sheet.label(space.frame, negative, -along, format!("{name}″"));
 }
 
 /// From the image of the first point to that of the last, where the image itself is seen from its edge.
-fn images(sheet: &mut Sheet, stage: &Stage, seen: &[Seen], is_edge_on: bool) {
+fn images(sheet: &mut Sheet, space: &Space, seen: &[Seen], is_edge_on: bool) {
     let ([first, .., last], true) = (seen, is_edge_on) else {
         return;
     };
     sheet.step(last.step.max(first.step), |sheet| {
         let look = Look::HIT.outline().wide(4.0);
         for image in [|of: &Seen| of.on_window, |of: &Seen| of.on_negative] {
-            sheet.arrow(look, stage.place(image(last)), stage.place(image(first)));
+            sheet.arrow(look, space.place(image(last)), space.place(image(first)));
         }
     });
 }
 
 /// Below the box and the window: both are at the same distance from the pinhole.
-fn distances(sheet: &mut Sheet, stage: &Stage, camera: &Camera, case: &Case) {
+fn distances(sheet: &mut Sheet, space: &Space, camera: &Camera, case: &Case) {
     let normal = camera.right.cross(camera.up).normalize_or_zero();
     let distance = camera.to_corner.dot(normal).abs();
-    let lowest = case.corners.map(|corner| stage.place(corner).y);
+    let lowest = case.corners.map(|corner| space.place(corner).y);
     let y = lowest.into_iter().fold(f64::NEG_INFINITY, f64::max) + 1.2 * sheet.letters;
     let offset = camera.to_corner.dot(normal) * normal;
-    let x = [-1.0, 0.0, 1.0].map(|side| stage.place(camera.cop + side * offset).x);
+    let x = [-1.0, 0.0, 1.0].map(|side| space.place(camera.cop + side * offset).x);
     let tick = 4.0 * sheet.unit();
     let text = quantity(distance);
     let has_room = sheet.width_of(&text) + 0.5 * sheet.letters <= (x[2] - x[0]).abs() / 2.0;
@@ -328,25 +328,25 @@ fn distances(sheet: &mut Sheet, stage: &Stage, camera: &Camera, case: &Case) {
     }
 }
 
-fn words(figure: &Figure, sheet: &mut Sheet, stage: &Stage, camera: &Camera, case: &Case) {
+fn words(figure: &Figure, sheet: &mut Sheet, space: &Space, camera: &Camera, case: &Case) {
     let top = |corners: &[DVec3]| {
-        let places = corners.iter().map(|corner| stage.place(*corner));
+        let places = corners.iter().map(|corner| space.place(*corner));
         places
             .min_by(|a, b| a.y.total_cmp(&b.y))
             .unwrap_or_default()
     };
-    let pinhole = stage.place(camera.cop);
+    let pinhole = space.place(camera.cop);
     // below the eye rays, beside the box
-    sheet.label(stage.frame, pinhole, DVec2::new(0.5, 1.0), "pinhole = COP");
+    sheet.label(space.frame, pinhole, DVec2::new(0.5, 1.0), "pinhole = COP");
     sheet.label(
-        stage.frame,
+        space.frame,
         top(&case.corners[..4]),
         DVec2::NEG_Y,
         "negative",
     );
     if figure.shows(Layer::Window) {
         let window = scenery::window_corners(figure.scene);
-        sheet.label(stage.frame, top(&window), DVec2::NEG_Y, "window");
+        sheet.label(space.frame, top(&window), DVec2::NEG_Y, "window");
     }
 }
 

@@ -13,7 +13,7 @@ use crate::figure::sheet::look::Look;
 use crate::figure::spec::Layer;
 use crate::figure::subject::Figure;
 use crate::figure::traced::Section;
-use crate::figure::view::Stage;
+use crate::figure::view::Space;
 use crate::geometry::Ray;
 use crate::scene::PrimitiveId;
 use crate::trace::{Purpose, RayNode, RayTree, RayVerdict};
@@ -63,20 +63,20 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
     for (_, tree) in &trees {
         points.extend(tree.rays.iter().filter(shown).filter_map(end_of));
     }
-    let stage = figure.stage(body, points);
+    let space = figure.space(body, points);
     let met: Vec<PrimitiveId> = trees
         .iter()
         .flat_map(|(_, tree)| tree.rays.iter().filter(shown))
         .filter_map(|node| node.end?.object)
         .collect();
     if figure.shows(Layer::Objects) {
-        scenery::objects_met(figure, sheet, &stage, &met);
+        scenery::objects_met(figure, sheet, &space, &met);
     }
     // before the rays: their labels find other places more easily
     if figure.shows(Layer::Names) {
-        scenery::names(figure, sheet, &stage);
+        scenery::names(figure, sheet, &space);
     }
-    scenery::camera_and_lights(figure, sheet, &stage);
+    scenery::camera_and_lights(figure, sheet, &space);
     let mut sentences = Vec::new();
     let mut named = Vec::new();
     for (section, tree) in &trees {
@@ -85,9 +85,9 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
             sheet.step(
                 node.ends_at[0].map(|at| section.step(&records[at])),
                 |sheet| {
-                    ray(figure, sheet, &stage, node, &mut named);
+                    ray(figure, sheet, &space, node, &mut named);
                     sentences.extend(in_words(figure, node));
-                    surface::draw(figure, sheet, &stage, records, node);
+                    surface::draw(figure, sheet, &space, records, node);
                     sentences.extend(surface::in_words(records, node));
                 },
             );
@@ -169,7 +169,7 @@ fn end_of(node: &RayNode) -> Option<DVec3> {
 fn ray(
     figure: &Figure,
     sheet: &mut Sheet,
-    stage: &Stage,
+    space: &Space,
     node: &RayNode,
     named: &mut Vec<&'static str>,
 ) {
@@ -179,15 +179,15 @@ fn ray(
     if end.verdict == RayVerdict::DepthLimit {
         return;
     }
-    let from = stage.place(start.ray.origin);
+    let from = space.place(start.ray.origin);
     let to = match end_of(node) {
-        Some(end) => stage.place(end),
-        None => match leaves(stage, &start.ray) {
+        Some(end) => space.place(end),
+        None => match leaves(space, &start.ray) {
             Some(edge) => edge,
             None => return,
         },
     };
-    let Some([from, to]) = stage.frame.cut_line([from, to]) else {
+    let Some([from, to]) = space.frame.cut_line([from, to]) else {
         return;
     };
     let along = (to - from).normalize_or_zero();
@@ -203,8 +203,8 @@ fn ray(
     sheet.arrow(look(start.purpose), from, to - head * along);
     if end.verdict == RayVerdict::Blocked {
         // where it would have gone
-        let light = stage.place(start.ray.at(start.range.max));
-        if let Some([from, to]) = stage.frame.cut_line([to, light]) {
+        let light = space.place(start.ray.at(start.range.max));
+        if let Some([from, to]) = space.frame.cut_line([to, light]) {
             sheet.line(Look::LINE_OF_RAY, from, to);
         }
     }
@@ -221,7 +221,7 @@ fn ray(
     if !figure.shows(Layer::Legend) && !named.contains(&text) {
         named.push(text);
         let middle = from.lerp(to, 0.45);
-        sheet.label(stage.frame, middle, upwards(along.perp()), text);
+        sheet.label(space.frame, middle, upwards(along.perp()), text);
     }
 }
 
@@ -231,9 +231,9 @@ fn upwards(across: DVec2) -> DVec2 {
 }
 
 /// Where a ray that hits nothing leaves the frame.
-fn leaves(stage: &Stage, ray: &Ray) -> Option<DVec2> {
-    let t = stage.leaves(ray)?;
-    Some(stage.place(ray.at(t)))
+fn leaves(space: &Space, ray: &Ray) -> Option<DVec2> {
+    let t = space.leaves(ray)?;
+    Some(space.place(ray.at(t)))
 }
 
 /// A ray in words.

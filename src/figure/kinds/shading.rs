@@ -14,7 +14,7 @@ use crate::figure::sheet::look::Look;
 use crate::figure::sheet::{Anchor, Sheet};
 use crate::figure::spec::Layer;
 use crate::figure::subject::Figure;
-use crate::figure::view::Stage;
+use crate::figure::view::Space;
 use crate::trace::{Event, LightTerm, Shade, Visibility};
 
 pub(super) const KIND: Kind = Kind {
@@ -50,9 +50,9 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
         [body; 2]
     };
     let length = length(figure, &point);
-    let stage = figure.stage(left, around(&point, length));
+    let space = figure.space(left, around(&point, length));
     if figure.shows(Layer::Objects) {
-        scenery::objects(figure, sheet, &stage, |id| {
+        scenery::objects(figure, sheet, &space, |id| {
             if id == point.shade.object {
                 Look::HIT
             } else {
@@ -60,12 +60,12 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
             }
         });
     }
-    vectors(figure, sheet, &stage, &point, length);
+    vectors(figure, sheet, &space, &point, length);
     if figure.shows(Layer::Numbers) {
         numbers(sheet, right, rows);
     }
     if figure.shows(Layer::Names) {
-        scenery::names(figure, sheet, &stage);
+        scenery::names(figure, sheet, &space);
     }
     Ok(in_words(figure, &point))
 }
@@ -147,9 +147,9 @@ fn around(point: &Point, length: f64) -> [DVec3; 6] {
     ends.map(|end| point.shade.point + length * end)
 }
 
-fn vectors(figure: &Figure, sheet: &mut Sheet, stage: &Stage, point: &Point, length: f64) {
-    let length = length * stage.scale;
-    let at = stage.place(point.shade.point);
+fn vectors(figure: &Figure, sheet: &mut Sheet, space: &Space, point: &Point, length: f64) {
+    let length = length * space.scale;
+    let at = space.place(point.shade.point);
     let (normal, to_light) = (point.shade.normal, point.light.term.to_light);
     let all = [
         (normal, "N", Look::RAY, point.shade_step),
@@ -158,21 +158,21 @@ fn vectors(figure: &Figure, sheet: &mut Sheet, stage: &Stage, point: &Point, len
         (point.to_viewer, "V", Look::RAY, point.shade_step),
     ];
     for (direction, name, look, step) in all {
-        let along = stage.direction(direction);
+        let along = space.direction(direction);
         let end = at + length * along;
         sheet.step(step, |sheet| {
             sheet.arrow(look, at, end);
-            sheet.label(stage.frame, end, along, name);
+            sheet.label(space.frame, end, along, name);
         });
     }
     if figure.shows(Layer::Angles) {
         let angle = |sheet: &mut Sheet, between: [DVec3; 2], share: f64, name: &str| {
             let angle = Angle {
                 at,
-                between: between.map(|of| stage.direction(of)),
+                between: between.map(|of| space.direction(of)),
                 radius: share * length / sheet.unit(),
             };
-            angle.draw(sheet, stage.frame, name);
+            angle.draw(sheet, space.frame, name);
         };
         // the last of the vectors is there with the shade
         sheet.step(point.shade_step, |sheet| {

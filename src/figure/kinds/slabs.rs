@@ -14,7 +14,7 @@ use crate::figure::sheet::look::Look;
 use crate::figure::sheet::{Anchor, Sheet};
 use crate::figure::spec::Layer;
 use crate::figure::subject::Figure;
-use crate::figure::view::Stage;
+use crate::figure::view::Space;
 use crate::scene::PrimitiveId;
 use crate::trace::{BoundTest, Bounded, Event, RaySlab, Record, SlabTest};
 
@@ -141,26 +141,26 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
     const AROUND: f64 = 1.75;
     let corners = bound::corners(&all);
     let shown = corners.iter().map(|p| middle + AROUND * (*p - middle));
-    let stage = figure.stage(drawing, shown);
+    let space = figure.space(drawing, shown);
     // labels stand at the ends of the lines
     let margin = DVec2::new(4.9, 2.0) * sheet.letters;
     let room = Frame {
-        min: stage.frame.min + margin,
-        max: stage.frame.max - margin,
+        min: space.frame.min + margin,
+        max: space.frame.max - margin,
     };
     if figure.shows(Layer::Objects) {
-        scenery::some_objects(figure, sheet, &stage, &found.objects(figure), Look::OBJECT);
+        scenery::some_objects(figure, sheet, &space, &found.objects(figure), Look::OBJECT);
     }
-    planes(figure, sheet, &stage, room, &all, &slabs);
+    planes(figure, sheet, &space, room, &all, &slabs);
     if figure.shows(Layer::Volumes) {
         sheet.step(found.decided.map(|(step, _)| step), |sheet| {
-            let around = bound::outline(&all, &stage.projection);
-            outline::rim(sheet, &stage, &around.rim, Look::VISITED.wide(3.0));
+            let around = bound::outline(&all, &space.projection);
+            outline::rim(sheet, &space, &around.rim, Look::VISITED.wide(3.0));
         });
     }
     if figure.shows(Layer::Names) {
-        let at = stage.place(middle) - DVec2::new(sheet.letters, 0.0);
-        sheet.label(stage.frame, at, DVec2::X, bounded(figure, found.of));
+        let at = space.place(middle) - DVec2::new(sheet.letters, 0.0);
+        sheet.label(space.frame, at, DVec2::X, bounded(figure, found.of));
     }
     Ok(in_words(figure, found.of, &slabs))
 }
@@ -169,7 +169,7 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
 fn planes(
     figure: &Figure,
     sheet: &mut Sheet,
-    stage: &Stage,
+    space: &Space,
     room: Frame,
     all: &[Slab],
     slabs: &[(u32, Slab)],
@@ -179,14 +179,14 @@ fn planes(
     let mut lines = Vec::new();
     for (step, slab) in slabs {
         for (d, name) in [(slab.d_min, "D_min"), (slab.d_max, "D_max")] {
-            if let Some(line) = slab.line(stage, room, d, middle) {
+            if let Some(line) = slab.line(space, room, d, middle) {
                 of.push((*step, *slab, name));
                 lines.push(line);
             }
         }
     }
-    let rim = bound::outline(all, &stage.projection).rim.points();
-    let rim: Vec<DVec2> = rim.iter().map(|at| stage.place_flat(*at)).collect();
+    let rim = bound::outline(all, &space.projection).rim.points();
+    let rim: Vec<DVec2> = rim.iter().map(|at| space.place_flat(*at)).collect();
     let lines = with_names(&lines, &rim, sheet.letters);
     for ((step, slab, d), line) in of.iter().zip(&lines) {
         let [from, to] = line.ends;
@@ -194,7 +194,7 @@ fn planes(
             if figure.shows(Layer::Slabs) {
                 sheet.line(Look::VISITED.outline().wide(1.0), from, to);
                 let text = format!("{} {d}", slab.name());
-                sheet.label(stage.frame, to, line.towards, text);
+                sheet.label(space.frame, to, line.towards, text);
             }
         });
     }
@@ -205,12 +205,12 @@ fn planes(
         if *d != "D_min" {
             continue;
         }
-        let along = stage.direction(slab.normal);
+        let along = space.direction(slab.normal);
         let from = foot(&lines, place, along, sheet.letters);
         let to = from + ARROW * sheet.letters * along;
         sheet.step(*step, |sheet| {
             sheet.arrow(Look::RAY.wide(1.5), from, to);
-            sheet.label(stage.frame, to, along, slab.name());
+            sheet.label(space.frame, to, along, slab.name());
         });
     }
 }

@@ -18,7 +18,7 @@ use crate::figure::sheet::look::Look;
 use crate::figure::sheet::{Anchor, Sheet};
 use crate::figure::spec::Layer;
 use crate::figure::subject::{DrawnRay, Figure};
-use crate::figure::view::Stage;
+use crate::figure::view::Space;
 use crate::geometry::{QuadraticTest, Ray, Root, RootVerdict, Roots, Sphere};
 use crate::scene::{PrimitiveId, Shape};
 use crate::trace::{Event, Shade};
@@ -136,39 +136,39 @@ fn in_space(figure: &Figure, sheet: &mut Sheet, frame: Frame, solved: &Solved) {
         .iter()
         .flat_map(|r| [sphere.center - *r, sphere.center + *r])
         .chain([ray.origin, ray.at(first), ray.at(last + room)]);
-    let stage = figure.stage(frame, points);
-    sheet.within(stage.frame, |sheet| {
+    let space = figure.space(frame, points);
+    sheet.within(space.frame, |sheet| {
         let [origin, center, foot] =
-            [ray.origin, sphere.center, ray.at(nearest)].map(|point| stage.place(point));
+            [ray.origin, sphere.center, ray.at(nearest)].map(|point| space.place(point));
 
         let is_hit = solved.test.roots.chosen();
         let shape = &figure.scene.primitive(solved.id).shape;
-        let outline = Outline::of(shape, &stage.projection);
-        outline::draw(sheet, &stage, &outline, Look::OBJECT);
-        let edge = stage.leaves(ray).unwrap_or(last);
+        let outline = Outline::of(shape, &space.projection);
+        outline::draw(sheet, &space, &outline, Look::OBJECT);
+        let edge = space.leaves(ray).unwrap_or(last);
         sheet.step(solved.starts, |sheet| {
             sheet.dot(Look::RAY, origin);
             sheet.label(frame, origin, DVec2::NEG_Y, "(x₀, y₀, z₀)");
             if !figure.shows(Layer::Normals) {
-                sheet.line(Look::LINE_OF_RAY, origin, stage.place(ray.at(edge)));
+                sheet.line(Look::LINE_OF_RAY, origin, space.place(ray.at(edge)));
             }
         });
 
         sheet.step(solved.step, |sheet| {
             if is_hit.is_some() {
-                outline::draw(sheet, &stage, &outline, Look::HIT.outline());
+                outline::draw(sheet, &space, &outline, Look::HIT.outline());
             }
             if first < 0.0 {
-                let behind = stage.place(ray.at(first - room));
+                let behind = space.place(ray.at(first - room));
                 sheet.line(Look::LINE_OF_RAY, behind, origin);
             }
             sheet.arrow(
                 Look::RAY,
                 origin,
-                stage.place(ray.at(is_hit.unwrap_or(edge))),
+                space.place(ray.at(is_hit.unwrap_or(edge))),
             );
             for (name, root) in &roots {
-                let at = stage.place(ray.at(root.t));
+                let at = space.place(ray.at(root.t));
                 let text = match (figure.shows(Layer::Normals), root.verdict) {
                     (true, RootVerdict::Chosen) => "(x, y, z)".into(),
                     (true, _) => continue,
@@ -189,45 +189,45 @@ fn in_space(figure: &Figure, sheet: &mut Sheet, frame: Frame, solved: &Solved) {
             }
         });
 
-        radius(figure, sheet, &stage, solved, foot);
+        radius(figure, sheet, &space, solved, foot);
         sheet.dot(Look::THIN, center);
         sheet.label(frame, center, center - foot, "(a, b, c)");
-        normal(figure, sheet, &stage, solved);
+        normal(figure, sheet, &space, solved);
     });
 }
 
 /// r, from the center away from the ray; to the point of contact if the ray grazes the sphere.
-fn radius(figure: &Figure, sheet: &mut Sheet, stage: &Stage, solved: &Solved, foot: DVec2) {
-    let center = stage.place(solved.sphere.center);
-    let along = stage.direction(solved.ray.direction);
+fn radius(figure: &Figure, sheet: &mut Sheet, space: &Space, solved: &Solved, foot: DVec2) {
+    let center = space.place(solved.sphere.center);
+    let along = space.direction(solved.ray.direction);
     // rounding is no direction
     let away = if (center - foot).length() < 1.0 {
         along.perp()
     } else {
         center - foot
     };
-    let length = stage.scale * solved.sphere.radius;
+    let length = space.scale * solved.sphere.radius;
     let towards = match (solved.test.roots, solved.shade) {
-        (_, Some((shade, _))) if figure.shows(Layer::Normals) => stage.place(shade.point) - center,
+        (_, Some((shade, _))) if figure.shows(Layer::Normals) => space.place(shade.point) - center,
         (Roots::Graze(_), _) => -away,
         // to the side, so that the name of the center has room
         _ => away.rotate(at_angle(0.6)),
     };
     let to = center + length * towards.normalize_or_zero();
     sheet.line(Look::THIN, center, to);
-    sheet.label(stage.frame, center.midpoint(to), towards.perp(), "r");
+    sheet.label(space.frame, center.midpoint(to), towards.perp(), "r");
 }
 
 /// The normal at the hit, as it was computed for the shade.
-fn normal(figure: &Figure, sheet: &mut Sheet, stage: &Stage, solved: &Solved) {
+fn normal(figure: &Figure, sheet: &mut Sheet, space: &Space, solved: &Solved) {
     let Some((shade, step)) = solved.shade.filter(|_| figure.shows(Layer::Normals)) else {
         return;
     };
-    let (at, along) = (stage.place(shade.point), stage.direction(shade.normal));
-    let tip = at + stage.scale * along;
+    let (at, along) = (space.place(shade.point), space.direction(shade.normal));
+    let tip = at + space.scale * along;
     sheet.step(step, |sheet| {
         sheet.arrow(Look::HIT.outline(), at, tip);
-        sheet.label(stage.frame, tip, along, "N");
+        sheet.label(space.frame, tip, along, "N");
     });
 }
 

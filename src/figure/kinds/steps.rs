@@ -49,10 +49,10 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
 
     plan.planes(sheet);
     if figure.shows(Layer::Objects) {
-        scenery::objects(figure, sheet, &plan.stage, |_| Look::OBJECT);
+        scenery::objects(figure, sheet, &plan.space, |_| Look::OBJECT);
     }
     if figure.shows(Layer::Names) {
-        scenery::names(figure, sheet, &plan.stage);
+        scenery::names(figure, sheet, &plan.space);
     }
     for (place, visit) in walk.visits.iter().enumerate() {
         plan.cell(sheet, visit, (place + 1).to_string());
@@ -80,7 +80,7 @@ fn crossings(figure: &Figure, sheet: &mut Sheet, plan: &Plan, walk: &Walk) {
             if text.len() <= ROOM {
                 text = format!("t = {text}");
             }
-            sheet.label(plan.stage.frame, plan.place(t), towards, text);
+            sheet.label(plan.space.frame, plan.place(t), towards, text);
         }
     };
     let above = plan.above();

@@ -17,7 +17,7 @@ use crate::figure::sheet::{Anchor, Sheet};
 use crate::figure::spec::Layer;
 use crate::figure::subject::{DrawnRay, Figure, records_in};
 use crate::figure::traced::Traced;
-use crate::figure::view::{Projection, Stage};
+use crate::figure::view::{Projection, Space};
 use crate::geometry::Ray;
 use crate::scene::{Object, Scene, Shape};
 use crate::structure::VolumeKind;
@@ -107,13 +107,13 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
     let shown: Vec<DVec2> = shown.collect();
     for (panel, frame) in panels.iter().zip(frames(sheet, body, panels.len())) {
         let [title, frame] = frame.split_top(sheet.line_height());
-        let stage = match figure.spec.frame {
-            Some(_) => figure.stage(frame, []),
-            None => Stage::fitted_flat(projection, frame, shown.iter().copied()),
+        let space = match figure.spec.frame {
+            Some(_) => figure.space(frame, []),
+            None => Space::fitted_flat(projection, frame, shown.iter().copied()),
         };
         let place = DVec2::new(title.middle().x, title.middle().y);
         sheet.text(Anchor::Middle, place, title_of(figure, panel));
-        draw_panel(figure, sheet, &stage, panel, &rim);
+        draw_panel(figure, sheet, &space, panel, &rim);
     }
     let name = scenery::short(&object.name);
     let sentences = panels.iter().map(|panel| in_words(figure, panel));
@@ -282,25 +282,25 @@ fn title_of(figure: &Figure, panel: &Panel) -> String {
     title
 }
 
-fn draw_panel(figure: &Figure, sheet: &mut Sheet, stage: &Stage, panel: &Panel, object: &Rim) {
+fn draw_panel(figure: &Figure, sheet: &mut Sheet, space: &Space, panel: &Panel, object: &Rim) {
     let seen = |rim: &Rim| {
-        let points = rim.points().into_iter().map(|p| stage.place_flat(p));
-        stage.frame.cut_polygon(&points.collect::<Vec<_>>())
+        let points = rim.points().into_iter().map(|p| space.place_flat(p));
+        space.frame.cut_polygon(&points.collect::<Vec<_>>())
     };
     hatch::between(
         sheet,
         Look::THIN.wide(0.5),
         &[seen(&panel.volume.rim), seen(object)],
     );
-    outline::draw(sheet, stage, &panel.volume, Look::VISITED.outline());
-    outline::rim(sheet, stage, object, Look::OBJECT.wide(1.5));
+    outline::draw(sheet, space, &panel.volume, Look::VISITED.outline());
+    outline::rim(sheet, space, object, Look::OBJECT.wide(1.5));
     if !figure.shows(Layer::Ray) {
         return;
     }
-    sheet.within(stage.frame, |sheet| {
+    sheet.within(space.frame, |sheet| {
         for tested in &panel.rays {
-            let place = |t: f64| stage.place(tested.ray.at(t));
-            let Some(edge) = stage.leaves(&tested.ray) else {
+            let place = |t: f64| space.place(tested.ray.at(t));
+            let Some(edge) = space.leaves(&tested.ray) else {
                 continue;
             };
             let to = place(tested.t.unwrap_or(edge));

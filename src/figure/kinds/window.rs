@@ -12,7 +12,7 @@ use crate::figure::sheet::frame::Frame;
 use crate::figure::sheet::look::Look;
 use crate::figure::spec::Layer;
 use crate::figure::subject::Figure;
-use crate::figure::view::Stage;
+use crate::figure::view::Space;
 use crate::scene::Camera;
 use crate::trace::{Event, RayNode, RayTree, Record};
 
@@ -37,7 +37,7 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
     if figure.shows(Layer::Projection) {
         points.extend(plane_corners(&figure.scene.camera));
     }
-    let stage = figure.stage(body, points);
+    let space = figure.space(body, points);
     let pixels = figure.pixels();
     if pixels.is_empty() {
         figure.pixel()?;
@@ -53,44 +53,44 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
     let met: Vec<_> = met.collect();
 
     if figure.shows(Layer::Objects) {
-        scenery::objects_met(figure, sheet, &stage, &met);
+        scenery::objects_met(figure, sheet, &space, &met);
     }
     if figure.shows(Layer::Projection) {
-        view_plane(sheet, &stage, &figure.scene.camera);
+        view_plane(sheet, &space, &figure.scene.camera);
     }
     if figure.shows(Layer::Window) {
-        scenery::window(figure, sheet, &stage);
+        scenery::window(figure, sheet, &space);
         if figure.shows(Layer::Numbers) {
-            numbers(sheet, &stage, &figure.scene.camera);
+            numbers(sheet, &space, &figure.scene.camera);
         }
     }
     if figure.shows(Layer::Eye) {
-        scenery::eye(figure, sheet, &stage);
-        pyramid(figure, sheet, &stage);
+        scenery::eye(figure, sheet, &space);
+        pyramid(figure, sheet, &space);
     }
     let mut sentences = Vec::new();
     for (pixel, records, tree) in &rays {
-        mark(figure, sheet, &stage, *pixel, records);
+        mark(figure, sheet, &space, *pixel, records);
         if let Some(eye_ray) = tree.rays.first()
             && figure.shows(Layer::Ray)
         {
             sheet.step(eye_ray.ends_at[0].map(|at| records[at].step), |sheet| {
-                ray(figure, sheet, &stage, records, eye_ray);
+                ray(figure, sheet, &space, records, eye_ray);
             });
         }
         sentences.push(in_words(figure, *pixel, tree));
     }
     if figure.shows(Layer::Names) {
-        scenery::names(figure, sheet, &stage);
+        scenery::names(figure, sheet, &space);
     }
     Ok(sentences.join(" "))
 }
 
 /// Lines from the COP to the window's corners: all eye rays run between them.
-fn pyramid(figure: &Figure, sheet: &mut Sheet, stage: &Stage) {
+fn pyramid(figure: &Figure, sheet: &mut Sheet, space: &Space) {
     for corner in scenery::window_corners(figure.scene) {
-        let ends = [figure.scene.camera.cop, corner].map(|of| stage.projection.of(of));
-        line_on(sheet, stage, Look::HELP.wide(0.75), &ends);
+        let ends = [figure.scene.camera.cop, corner].map(|of| space.projection.of(of));
+        line_on(sheet, space, Look::HELP.wide(0.75), &ends);
     }
 }
 
@@ -103,7 +103,7 @@ fn place_on_window(records: &[Record]) -> Option<(DVec3, u32)> {
 }
 
 /// Marks a pixel on the window, its centre and its number.
-fn mark(figure: &Figure, sheet: &mut Sheet, stage: &Stage, [x, y]: [u32; 2], records: &[Record]) {
+fn mark(figure: &Figure, sheet: &mut Sheet, space: &Space, [x, y]: [u32; 2], records: &[Record]) {
     let Some((point, step)) = place_on_window(records) else {
         return;
     };
@@ -115,30 +115,30 @@ fn mark(figure: &Figure, sheet: &mut Sheet, stage: &Stage, [x, y]: [u32; 2], rec
         [left + 1.0, top + 1.0],
         [left, top + 1.0],
     ];
-    let corners = corners.map(|[x, y]| stage.projection.of(camera.window_point(x, y)));
+    let corners = corners.map(|[x, y]| space.projection.of(camera.window_point(x, y)));
     sheet.step(step, |sheet| {
         rim(
             sheet,
-            stage,
+            space,
             &Rim::Points(corners.into()),
             Look::VISITED.wide(2.0),
         );
-        let at = stage.place(point);
+        let at = space.place(point);
         sheet.circle(Look::VISITED.inside().full(), at, 3.0 * sheet.unit());
-        sheet.label(stage.frame, at, DVec2::NEG_Y, format!("pixel ({x}, {y})"));
+        sheet.label(space.frame, at, DVec2::NEG_Y, format!("pixel ({x}, {y})"));
     });
 }
 
-fn ray(figure: &Figure, sheet: &mut Sheet, stage: &Stage, records: &[Record], node: &RayNode) {
+fn ray(figure: &Figure, sheet: &mut Sheet, space: &Space, records: &[Record], node: &RayNode) {
     let (Some(start), Some(end)) = (node.start, node.end) else {
         return;
     };
-    let from = stage.place(start.ray.origin);
-    let Some(t) = end.t.or_else(|| stage.leaves(&start.ray)) else {
+    let from = space.place(start.ray.origin);
+    let Some(t) = end.t.or_else(|| space.leaves(&start.ray)) else {
         return;
     };
-    let to = stage.place(start.ray.at(t));
-    let Some([from, to]) = stage.frame.cut_line([from, to]) else {
+    let to = space.place(start.ray.at(t));
+    let Some([from, to]) = space.frame.cut_line([from, to]) else {
         return;
     };
     let is_hit = figure.shows(Layer::Hits) && end.t.is_some();
@@ -148,20 +148,20 @@ fn ray(figure: &Figure, sheet: &mut Sheet, stage: &Stage, records: &[Record], no
         sheet.dot(Look::HIT, to);
     }
     // beyond the window, where the lines to its corners end
-    let window = place_on_window(records).map_or(from, |(point, _)| stage.place(point));
+    let window = place_on_window(records).map_or(from, |(point, _)| space.place(point));
     let across = (to - from).perp();
     let up = if 0.0 < across.y { -across } else { across };
-    sheet.label(stage.frame, window.lerp(to, 0.6), up, "eye ray");
+    sheet.label(space.frame, window.lerp(to, 0.6), up, "eye ray");
 }
 
 /// How pixels are counted: the first is at the upper left, the last at the lower right.
-fn numbers(sheet: &mut Sheet, stage: &Stage, camera: &Camera) {
+fn numbers(sheet: &mut Sheet, space: &Space, camera: &Camera) {
     let [right, bottom] = camera.pixels.map(|side| side - 1);
     for (x, y, towards) in [(0, 0, DVec2::NEG_Y), (right, bottom, DVec2::Y)] {
         let middle = camera.window_point(f64::from(x) + 0.5, f64::from(y) + 0.5);
         sheet.label(
-            stage.frame,
-            stage.place(middle),
+            space.frame,
+            space.place(middle),
             towards,
             format!("({x}, {y})"),
         );
@@ -197,30 +197,30 @@ fn plane_corners(camera: &Camera) -> [DVec3; 4] {
 }
 
 /// The view plane around the window, and how the COP lies before it.
-fn view_plane(sheet: &mut Sheet, stage: &Stage, camera: &Camera) {
+fn view_plane(sheet: &mut Sheet, space: &Space, camera: &Camera) {
     let corners = plane_corners(camera);
-    let flat = corners.map(|of| stage.projection.of(of));
-    rim(sheet, stage, &Rim::Points(flat.into()), Look::HELP);
+    let flat = corners.map(|of| space.projection.of(of));
+    rim(sheet, space, &Rim::Points(flat.into()), Look::HELP);
     let foot = foot(camera);
-    let ends = [camera.cop, foot].map(|of| stage.projection.of(of));
-    line_on(sheet, stage, Look::HELP, &ends);
-    right_angle(sheet, stage, camera, foot);
-    let lowest = corners.map(|of| stage.place(of));
+    let ends = [camera.cop, foot].map(|of| space.projection.of(of));
+    line_on(sheet, space, Look::HELP, &ends);
+    right_angle(sheet, space, camera, foot);
+    let lowest = corners.map(|of| space.place(of));
     if let Some(low) = lowest.into_iter().max_by(|a, b| a.y.total_cmp(&b.y)) {
-        sheet.label(stage.frame, low, DVec2::Y, "view plane");
+        sheet.label(space.frame, low, DVec2::Y, "view plane");
     }
 }
 
 /// The sign of a right angle between the view plane and the perpendicular.
-fn right_angle(sheet: &mut Sheet, stage: &Stage, camera: &Camera, foot: DVec3) {
+fn right_angle(sheet: &mut Sheet, space: &Space, camera: &Camera, foot: DVec3) {
     /// How long its sides are, in letters.
     const SIDE: f64 = 0.7;
-    let length = SIDE * sheet.letters / stage.scale;
+    let length = SIDE * sheet.letters / space.scale;
     let middle = camera.corner() + 0.5 * (camera.right + camera.up);
     let back = length * (camera.cop - foot).normalize_or_zero();
     let along = length * (middle - foot).normalize_or_zero();
     let corners = [foot + back, foot + back + along, foot + along];
-    sheet.path(Look::THIN, corners.map(|of| stage.place(of)).into());
+    sheet.path(Look::THIN, corners.map(|of| space.place(of)).into());
 }
 
 fn in_words(figure: &Figure, [x, y]: [u32; 2], tree: &RayTree) -> String {

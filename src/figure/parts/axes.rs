@@ -4,7 +4,7 @@ use glam::{DVec2, DVec3};
 
 use crate::figure::sheet::Sheet;
 use crate::figure::sheet::look::Look;
-use crate::figure::view::{Projection, Stage};
+use crate::figure::view::{Projection, Space};
 use crate::geometry::Axis;
 
 /// The letter of an axis.
@@ -57,17 +57,17 @@ pub(in crate::figure) fn view_along(axis: Axis) -> Projection {
 }
 
 /// Draws an axis from the origin to its place in `reach`, with its letter at the end.
-pub(in crate::figure) fn draw(sheet: &mut Sheet, stage: &Stage, axis: Axis, reach: DVec3) {
+pub(in crate::figure) fn draw(sheet: &mut Sheet, space: &Space, axis: Axis, reach: DVec3) {
     let (from, to) = (
-        stage.place(DVec3::ZERO),
-        stage.place(axis.of(reach) * unit(axis)),
+        space.place(DVec3::ZERO),
+        space.place(axis.of(reach) * unit(axis)),
     );
     sheet.arrow(Look::THIN, from, to);
-    sheet.label(stage.frame, to, to - from, letter(axis));
+    sheet.label(space.frame, to, to - from, letter(axis));
 }
 
 /// Draws the coordinate plane across an axis as far as `reach`: its two axes, and two thin lines.
-pub(in crate::figure) fn draw_plane(sheet: &mut Sheet, stage: &Stage, across: Axis, reach: DVec3) {
+pub(in crate::figure) fn draw_plane(sheet: &mut Sheet, space: &Space, across: Axis, reach: DVec3) {
     let corner = foot(across, reach);
     for axis in [Axis::X, Axis::Y, Axis::Z] {
         if axis == across {
@@ -79,10 +79,10 @@ pub(in crate::figure) fn draw_plane(sheet: &mut Sheet, stage: &Stage, across: Ax
         let other = corner - end;
         sheet.line(
             Look::THIN.wide(0.6),
-            stage.place(edge * other),
-            stage.place(edge * corner),
+            space.place(edge * other),
+            space.place(edge * corner),
         );
-        draw(sheet, stage, axis, reach);
+        draw(sheet, space, axis, reach);
     }
 }
 

@@ -11,7 +11,7 @@ use crate::figure::sheet::Sheet;
 use crate::figure::sheet::frame::Frame;
 use crate::figure::sheet::look::Look;
 use crate::figure::traced::Traced;
-use crate::figure::view::{Projection, Stage};
+use crate::figure::view::{Projection, Space};
 use crate::geometry::{AxisBox, MOST_SLABS};
 use crate::structure::{Hierarchy, SlabBound, SlabChoice, SlabSet, Volume, VolumeKind};
 use crate::trace::{Bounded, RaySlab, SlabTest, StrategyName};
@@ -62,18 +62,18 @@ impl Slab {
     /// looks along it. Near `around` it is sure to be found.
     pub(in crate::figure) fn line(
         &self,
-        stage: &Stage,
+        space: &Space,
         frame: Frame,
         d: f64,
         around: DVec3,
     ) -> Option<[DVec2; 2]> {
-        let normal = stage.projection.of(self.normal).normalize_or_zero();
-        let around_flat = stage.projection.of(around);
+        let normal = space.projection.of(self.normal).normalize_or_zero();
+        let around_flat = space.projection.of(around);
         let foot = around_flat - (normal.dot(around_flat) + d) * normal;
-        let away = stage.place_flat(foot).distance(stage.frame.middle());
-        let reach = (stage.frame.size().length() + away) / stage.scale;
+        let away = space.place_flat(foot).distance(space.frame.middle());
+        let reach = (space.frame.size().length() + away) / space.scale;
         let along = reach * normal.perp();
-        frame.cut_line([foot - along, foot + along].map(|end| stage.place_flat(end)))
+        frame.cut_line([foot - along, foot + along].map(|end| space.place_flat(end)))
     }
 }
 
@@ -166,13 +166,13 @@ pub(in crate::figure) fn middle(slabs: &[Slab]) -> DVec3 {
 /// The two planes of a slab, with its name at their ends: the upper ones, unless those are near the bound.
 pub(in crate::figure) fn pair(
     sheet: &mut Sheet,
-    stage: &Stage,
+    space: &Space,
     room: Frame,
     slab: &Slab,
     middle: DVec3,
     look: Look,
 ) {
-    let lines = [slab.d_min, slab.d_max].map(|d| slab.line(stage, room, d, middle));
+    let lines = [slab.d_min, slab.d_max].map(|d| slab.line(space, room, d, middle));
     for [from, to] in lines.into_iter().flatten() {
         sheet.line(look, from, to);
         let [lower, upper] = if to.y < from.y {
@@ -180,14 +180,14 @@ pub(in crate::figure) fn pair(
         } else {
             [to, from]
         };
-        let center = stage.place(middle);
+        let center = space.place(middle);
         let far = |end: DVec2| end.distance(center);
         let (at, other) = if 2.0 * far(upper) < far(lower) {
             (lower, upper)
         } else {
             (upper, lower)
         };
-        sheet.label(stage.frame, at, at - other, slab.name());
+        sheet.label(space.frame, at, at - other, slab.name());
     }
 }
 
@@ -326,12 +326,12 @@ mod tests {
         let projection = Projection::new(DVec3::X, DVec3::Y);
         // 92 units for 2: x = 1 is at 96, and the line goes upwards, to the left of the normal
         let shown = [DVec3::NEG_ONE, DVec3::ONE];
-        let stage = Stage::fitted(projection, frame, shown);
+        let space = Space::fitted(projection, frame, shown);
         let x = slab(0, [1.0, 0.0, 0.0], -1.0, 1.0);
-        let [from, to] = x.line(&stage, frame, x.d_min, DVec3::ZERO).unwrap();
+        let [from, to] = x.line(&space, frame, x.d_min, DVec3::ZERO).unwrap();
         assert!((from - DVec2::new(96.0, 100.0)).length() < 1e-9, "{from}");
         assert!((to - DVec2::new(96.0, 0.0)).length() < 1e-9, "{to}");
-        assert_eq!(x.line(&stage, frame, -9.0, DVec3::ZERO), None);
+        assert_eq!(x.line(&space, frame, -9.0, DVec3::ZERO), None);
         assert_eq!(Slab { number: 12, ..x }.name(), "n₁₂");
     }
 }

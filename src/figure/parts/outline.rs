@@ -10,7 +10,7 @@ use glam::{DVec2, DVec3};
 use crate::figure::parts::turn::at_angle;
 use crate::figure::sheet::look::Look;
 use crate::figure::sheet::{Form, Sheet};
-use crate::figure::view::{Projection, Stage};
+use crate::figure::view::{Projection, Space};
 use crate::geometry::{AxisBox, Cone, OrientedEllipsoid};
 use crate::scene::Shape;
 
@@ -233,17 +233,17 @@ pub(in crate::figure) fn hull(mut points: Vec<DVec2>) -> Vec<DVec2> {
     around
 }
 
-/// Draws an outline on a stage, cut at its frame.
-pub(in crate::figure) fn draw(sheet: &mut Sheet, stage: &Stage, outline: &Outline, look: Look) {
-    rim(sheet, stage, &outline.rim, look);
+/// Draws an outline in a space, cut at its frame.
+pub(in crate::figure) fn draw(sheet: &mut Sheet, space: &Space, outline: &Outline, look: Look) {
+    rim(sheet, space, &outline.rim, look);
     let line = look.outline();
     for edge in &outline.edges {
-        line_on(sheet, stage, line, edge);
+        line_on(sheet, space, line, edge);
     }
     for edge in &outline.hidden {
         line_on(
             sheet,
-            stage,
+            space,
             Look {
                 colour: look.colour,
                 ..Look::HIDDEN
@@ -253,17 +253,17 @@ pub(in crate::figure) fn draw(sheet: &mut Sheet, stage: &Stage, outline: &Outlin
     }
 }
 
-/// Draws a closed line on a stage, cut at its frame.
-pub(in crate::figure) fn rim(sheet: &mut Sheet, stage: &Stage, rim: &Rim, look: Look) {
+/// Draws a closed line in a space, cut at its frame.
+pub(in crate::figure) fn rim(sheet: &mut Sheet, space: &Space, rim: &Rim, look: Look) {
     let points: Vec<DVec2> = rim
         .points()
         .into_iter()
-        .map(|point| stage.place_flat(point))
+        .map(|point| space.place_flat(point))
         .collect();
-    if points.iter().all(|point| stage.frame.contains(*point)) {
+    if points.iter().all(|point| space.frame.contains(*point)) {
         if let Rim::Ellipse { center, axes } = rim {
-            let center = stage.place_flat(*center);
-            let radii = DVec2::new(axes[0].length(), axes[1].length()) * stage.scale;
+            let center = space.place_flat(*center);
+            let radii = DVec2::new(axes[0].length(), axes[1].length()) * space.scale;
             // up is the other way on the sheet
             let turn = -libm::atan2(axes[0].y, axes[0].x).to_degrees();
             sheet.mark(
@@ -279,26 +279,26 @@ pub(in crate::figure) fn rim(sheet: &mut Sheet, stage: &Stage, rim: &Rim, look: 
         }
         return;
     }
-    sheet.polygon(look.inside(), stage.frame.cut_polygon(&points));
+    sheet.polygon(look.inside(), space.frame.cut_polygon(&points));
     let mut closed = points;
     closed.extend(closed.first().copied());
-    cut_line(sheet, stage, look.outline(), &closed);
+    cut_line(sheet, space, look.outline(), &closed);
 }
 
 /// Draws a line of projected points, cut at the frame.
-pub(in crate::figure) fn line_on(sheet: &mut Sheet, stage: &Stage, look: Look, points: &[DVec2]) {
+pub(in crate::figure) fn line_on(sheet: &mut Sheet, space: &Space, look: Look, points: &[DVec2]) {
     let points: Vec<DVec2> = points
         .iter()
-        .map(|point| stage.place_flat(*point))
+        .map(|point| space.place_flat(*point))
         .collect();
-    cut_line(sheet, stage, look, &points);
+    cut_line(sheet, space, look, &points);
 }
 
 /// Draws the pieces of a line that lie in the frame, each as long as it goes on.
-fn cut_line(sheet: &mut Sheet, stage: &Stage, look: Look, points: &[DVec2]) {
+fn cut_line(sheet: &mut Sheet, space: &Space, look: Look, points: &[DVec2]) {
     let mut piece: Vec<DVec2> = Vec::new();
     for pair in points.windows(2) {
-        let Some([from, to]) = stage.frame.cut_line([pair[0], pair[1]]) else {
+        let Some([from, to]) = space.frame.cut_line([pair[0], pair[1]]) else {
             continue;
         };
         if piece.last() != Some(&from) {

@@ -10,13 +10,13 @@ use crate::figure::sheet::frame::Frame;
 use crate::figure::sheet::look::Look;
 use crate::figure::spec::Layer;
 use crate::figure::subject::{DrawnRay, Figure};
-use crate::figure::view::{Projection, Stage};
+use crate::figure::view::{Projection, Space};
 use crate::geometry::{AxisBox, Ray};
 use crate::trace::GridEnter;
 
-/// A walk on a stage.
+/// A walk in a space.
 pub(in crate::figure) struct Plan {
-    pub(in crate::figure) stage: Stage,
+    pub(in crate::figure) space: Space,
     lattice: Lattice,
     /// The axis along which it is seen.
     depth: usize,
@@ -56,7 +56,7 @@ impl Plan {
         }
         let last = ray.events.last().map(|record| record.step);
         Ok(Self {
-            stage: figure.stage(frame, points),
+            space: figure.space(frame, points),
             lattice,
             depth,
             part,
@@ -73,23 +73,23 @@ impl Plan {
                 let end = |to: u32| {
                     let mut at = [0; 3];
                     (at[across], at[along]) = (place, to);
-                    self.stage.projection.of(self.lattice.corner(at))
+                    self.space.projection.of(self.lattice.corner(at))
                 };
                 let line = [end(0), end(self.lattice.resolution[along])];
                 let is_outer = place == 0 || place == last;
                 let look = Look::THIN.wide(if is_outer { 1.5 } else { 0.75 });
-                outline::line_on(sheet, &self.stage, look, &line);
+                outline::line_on(sheet, &self.space, look, &line);
             }
         }
     }
 
     /// A cell that was visited: its area with a label, and a frame around it if something is on its list.
     pub(in crate::figure) fn cell(&self, sheet: &mut Sheet, visit: &Visit, label: String) {
-        let outline = self.lattice.cell(visit.cell.cell, &self.stage.projection);
+        let outline = self.lattice.cell(visit.cell.cell, &self.space.projection);
         let look = if visit.length == 0 { EMPTY } else { LISTED };
         sheet.step(visit.step, |sheet| {
-            outline::rim(sheet, &self.stage, &outline.rim, look);
-            if let Some(area) = self.lattice.area(visit.cell.cell, &self.stage) {
+            outline::rim(sheet, &self.space, &outline.rim, look);
+            if let Some(area) = self.lattice.area(visit.cell.cell, &self.space) {
                 sheet.label_in(area, label);
             }
         });
@@ -99,8 +99,8 @@ impl Plan {
     pub(in crate::figure) fn ray(&self, sheet: &mut Sheet, walk: &Walk) {
         let Some(part) = self.part else { return };
         let line = |sheet: &mut Sheet, look: Look, ends: [f64; 2]| {
-            let ends = ends.map(|t| self.stage.projection.of(part.ray.at(t)));
-            outline::line_on(sheet, &self.stage, look, &ends);
+            let ends = ends.map(|t| self.space.projection.of(part.ray.at(t)));
+            outline::line_on(sheet, &self.space, look, &ends);
         };
         let [enters, leaves] = part.inside;
         let start = self.place(part.from);
@@ -108,8 +108,8 @@ impl Plan {
             line(sheet, Look::LINE_OF_RAY, [enters, leaves]);
             line(sheet, Look::RAY, [part.from, enters]);
             let middle = start.lerp(self.place(enters), 0.5);
-            if self.stage.frame.contains(middle) {
-                sheet.label(self.stage.frame, middle, self.above(), "R");
+            if self.space.frame.contains(middle) {
+                sheet.label(self.space.frame, middle, self.above(), "R");
             }
             for visit in &walk.visits {
                 sheet.step(visit.step, |sheet| {
@@ -120,7 +120,7 @@ impl Plan {
         });
         sheet.step(self.last_step, |sheet| {
             let ends = [start, self.place(part.ends)];
-            if let Some([from, to]) = self.stage.frame.cut_line(ends) {
+            if let Some([from, to]) = self.space.frame.cut_line(ends) {
                 sheet.arrow(Look::RAY, from, to);
             }
         });
@@ -134,13 +134,13 @@ impl Plan {
     /// Where a point of the ray is on the sheet.
     pub(in crate::figure) fn place(&self, t: f64) -> DVec2 {
         let point = self.part.map_or(DVec3::ZERO, |part| part.ray.at(t));
-        self.stage.place(point)
+        self.space.place(point)
     }
 
     /// The direction across the ray that goes up.
     pub(in crate::figure) fn above(&self) -> DVec2 {
         let along = self.part.map_or(DVec3::X, |part| part.ray.direction);
-        let across = self.stage.direction(along).perp();
+        let across = self.space.direction(along).perp();
         if 0.0 < across.y { -across } else { across }
     }
 }
@@ -212,14 +212,14 @@ impl Lattice {
         Outline::of_box(&AxisBox { min, max }, projection)
     }
 
-    /// What is seen of a cell on a stage; `None` if it lies outside the frame.
-    pub(in crate::figure) fn area(&self, cell: [u32; 3], stage: &Stage) -> Option<Frame> {
-        let corners = self.cell(cell, &stage.projection).rim.points();
-        let corners = corners.iter().map(|point| stage.place_flat(*point));
+    /// What is seen of a cell in a space; `None` if it lies outside the frame.
+    pub(in crate::figure) fn area(&self, cell: [u32; 3], space: &Space) -> Option<Frame> {
+        let corners = self.cell(cell, &space.projection).rim.points();
+        let corners = corners.iter().map(|point| space.place_flat(*point));
         let area = Frame::around(corners)?;
         let seen = Frame {
-            min: area.min.max(stage.frame.min),
-            max: area.max.min(stage.frame.max),
+            min: area.min.max(space.frame.min),
+            max: area.max.min(space.frame.max),
         };
         seen.min.cmplt(seen.max).all().then_some(seen)
     }

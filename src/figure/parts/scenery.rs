@@ -9,7 +9,7 @@ use crate::figure::sheet::Sheet;
 use crate::figure::sheet::look::Look;
 use crate::figure::spec::Layer;
 use crate::figure::subject::Figure;
-use crate::figure::view::Stage;
+use crate::figure::view::Space;
 use crate::scene::{Object, Primitive, PrimitiveId, Scene};
 
 /// The points that show a scene: outlines of all objects, the eye, the window.
@@ -44,12 +44,12 @@ fn corners(primitive: &Primitive) -> [DVec3; 8] {
 pub(in crate::figure) fn objects(
     figure: &Figure,
     sheet: &mut Sheet,
-    stage: &Stage,
+    space: &Space,
     look: impl Fn(PrimitiveId) -> Look,
 ) {
     for (id, primitive) in (0..).map(PrimitiveId).zip(&figure.scene.primitives) {
-        let outline = Outline::of(&primitive.shape, &stage.projection);
-        outline::draw(sheet, stage, &outline, look(id));
+        let outline = Outline::of(&primitive.shape, &space.projection);
+        outline::draw(sheet, space, &outline, look(id));
     }
 }
 
@@ -57,13 +57,13 @@ pub(in crate::figure) fn objects(
 pub(in crate::figure) fn some_objects(
     figure: &Figure,
     sheet: &mut Sheet,
-    stage: &Stage,
+    space: &Space,
     ids: &[PrimitiveId],
     look: Look,
 ) {
     for id in ids {
         let shape = &figure.scene.primitive(*id).shape;
-        outline::draw(sheet, stage, &Outline::of(shape, &stage.projection), look);
+        outline::draw(sheet, space, &Outline::of(shape, &space.projection), look);
     }
 }
 
@@ -71,10 +71,10 @@ pub(in crate::figure) fn some_objects(
 pub(in crate::figure) fn objects_met(
     figure: &Figure,
     sheet: &mut Sheet,
-    stage: &Stage,
+    space: &Space,
     met: &[PrimitiveId],
 ) {
-    objects(figure, sheet, stage, |id| {
+    objects(figure, sheet, space, |id| {
         if met.contains(&id) && figure.shows(Layer::Hits) {
             Look::HIT
         } else {
@@ -84,20 +84,20 @@ pub(in crate::figure) fn objects_met(
 }
 
 /// The names of all objects, each once, in or beside its outline.
-pub(in crate::figure) fn names(figure: &Figure, sheet: &mut Sheet, stage: &Stage) {
-    names_of(figure, sheet, stage, |_| true);
+pub(in crate::figure) fn names(figure: &Figure, sheet: &mut Sheet, space: &Space) {
+    names_of(figure, sheet, space, |_| true);
 }
 
 /// The window, the eye and the lights, as far as they are shown.
-pub(in crate::figure) fn camera_and_lights(figure: &Figure, sheet: &mut Sheet, stage: &Stage) {
+pub(in crate::figure) fn camera_and_lights(figure: &Figure, sheet: &mut Sheet, space: &Space) {
     if figure.shows(Layer::Window) {
-        window(figure, sheet, stage);
+        window(figure, sheet, space);
     }
     if figure.shows(Layer::Eye) {
-        eye(figure, sheet, stage);
+        eye(figure, sheet, space);
     }
     if figure.shows(Layer::Lights) {
-        lights(figure, sheet, stage);
+        lights(figure, sheet, space);
     }
 }
 
@@ -105,7 +105,7 @@ pub(in crate::figure) fn camera_and_lights(figure: &Figure, sheet: &mut Sheet, s
 pub(in crate::figure) fn names_of(
     figure: &Figure,
     sheet: &mut Sheet,
-    stage: &Stage,
+    space: &Space,
     is_named: impl Fn(&Object) -> bool,
 ) {
     for object in &figure.scene.objects {
@@ -113,26 +113,26 @@ pub(in crate::figure) fn names_of(
             continue;
         }
         let shape = &figure.scene.primitive(object.first).shape;
-        let outline = Outline::of(shape, &stage.projection);
-        name_at(sheet, stage, &outline.rim, &short(&object.name));
+        let outline = Outline::of(shape, &space.projection);
+        name_at(sheet, space, &outline.rim, &short(&object.name));
     }
 }
 
 /// A name in the middle of an outline, or at its rim if there is no room.
-pub(in crate::figure) fn name_at(sheet: &mut Sheet, stage: &Stage, rim: &Rim, name: &str) {
+pub(in crate::figure) fn name_at(sheet: &mut Sheet, space: &Space, rim: &Rim, name: &str) {
     let points: Vec<DVec2> = rim
         .points()
         .into_iter()
-        .map(|point| stage.place_flat(point))
+        .map(|point| space.place_flat(point))
         .collect();
-    let seen = stage.frame.cut_polygon(&points);
+    let seen = space.frame.cut_polygon(&points);
     if seen.is_empty() {
         return;
     }
     let middle = seen.iter().sum::<DVec2>() / seen.len() as f64;
     // a label begins beside its point; from a little left of the middle it comes to stand on it
     let start = middle - DVec2::new(0.5 * sheet.width_of(name) + 0.55 * sheet.letters, 0.0);
-    sheet.name(stage.frame, start, DVec2::X, name);
+    sheet.name(space.frame, start, DVec2::X, name);
 }
 
 /// A name as a figure has room for it: no control characters, at most some twenty letters.
@@ -157,13 +157,13 @@ pub(in crate::figure) fn name_of(scene: &Scene, id: PrimitiveId) -> String {
 }
 
 /// The eye: a point with the name that the slides give it.
-pub(in crate::figure) fn eye(figure: &Figure, sheet: &mut Sheet, stage: &Stage) {
-    let at = stage.place(figure.scene.camera.cop);
-    if !stage.frame.contains(at) {
+pub(in crate::figure) fn eye(figure: &Figure, sheet: &mut Sheet, space: &Space) {
+    let at = space.place(figure.scene.camera.cop);
+    if !space.frame.contains(at) {
         return;
     }
     sheet.dot(Look::RAY, at);
-    sheet.label(stage.frame, at, DVec2::NEG_X, "COP");
+    sheet.label(space.frame, at, DVec2::NEG_X, "COP");
 }
 
 pub(in crate::figure) fn window_corners(scene: &Scene) -> [DVec3; 4] {
@@ -178,20 +178,20 @@ pub(in crate::figure) fn window_corners(scene: &Scene) -> [DVec3; 4] {
 }
 
 /// The window, with its pixels if they are shown: an area, or a line where it is seen from its edge.
-pub(in crate::figure) fn window(figure: &Figure, sheet: &mut Sheet, stage: &Stage) {
-    let corners = window_corners(figure.scene).map(|corner| stage.projection.of(corner));
+pub(in crate::figure) fn window(figure: &Figure, sheet: &mut Sheet, space: &Space) {
+    let corners = window_corners(figure.scene).map(|corner| space.projection.of(corner));
     let rim = Rim::Points(corners.into());
-    outline::rim(sheet, stage, &rim, Look::OBJECT.wide(1.75).outline());
+    outline::rim(sheet, space, &rim, Look::OBJECT.wide(1.75).outline());
     if figure.shows(Layer::Pixels) {
         let [width, height] = figure.scene.camera.pixels;
         let camera = &figure.scene.camera;
         let mut line = |from: [u32; 2], to: [u32; 2]| {
             let ends = [from, to].map(|[x, y]| {
-                stage
+                space
                     .projection
                     .of(camera.window_point(f64::from(x), f64::from(y)))
             });
-            outline::line_on(sheet, stage, Look::THIN.wide(0.6), &ends);
+            outline::line_on(sheet, space, Look::THIN.wide(0.6), &ends);
         };
         for x in 1..width {
             line([x, 0], [x, height]);
@@ -200,19 +200,19 @@ pub(in crate::figure) fn window(figure: &Figure, sheet: &mut Sheet, stage: &Stag
             line([0, y], [width, y]);
         }
     }
-    let at = corners.map(|corner| stage.place_flat(corner));
+    let at = corners.map(|corner| space.place_flat(corner));
     // at its upper end, away from the rays that pass its middle
     let top = at.into_iter().min_by(|a, b| a.y.total_cmp(&b.y));
-    if let Some(top) = top.filter(|top| stage.frame.contains(*top)) {
-        sheet.label(stage.frame, top, DVec2::NEG_Y, "window");
+    if let Some(top) = top.filter(|top| space.frame.contains(*top)) {
+        sheet.label(space.frame, top, DVec2::NEG_Y, "window");
     }
 }
 
 /// The lights: points with rays around them.
-pub(in crate::figure) fn lights(figure: &Figure, sheet: &mut Sheet, stage: &Stage) {
+pub(in crate::figure) fn lights(figure: &Figure, sheet: &mut Sheet, space: &Space) {
     for light in &figure.scene.lights {
-        let at = stage.place(light.position);
-        if !stage.frame.contains(at) {
+        let at = space.place(light.position);
+        if !space.frame.contains(at) {
             continue;
         }
         let (inner, outer) = (5.0 * sheet.unit(), 9.0 * sheet.unit());
@@ -222,6 +222,6 @@ pub(in crate::figure) fn lights(figure: &Figure, sheet: &mut Sheet, stage: &Stag
             sheet.line(Look::THIN.wide(1.5), at + inner * along, at + outer * along);
         }
         let above = at - DVec2::new(0.0, outer);
-        sheet.label(stage.frame, above, DVec2::NEG_Y, short(&light.name));
+        sheet.label(space.frame, above, DVec2::NEG_Y, short(&light.name));
     }
 }

@@ -7,7 +7,7 @@ use crate::figure::sheet::canvas::quantity;
 use crate::figure::sheet::frame::Frame;
 use crate::figure::sheet::look::{Fill, Look};
 use crate::figure::sheet::{Anchor, Sheet};
-use crate::figure::view::Stage;
+use crate::figure::view::Space;
 use crate::geometry::{Ray, SlabInterval};
 use crate::structure::{SlabStep, SlabVerdict};
 
@@ -23,7 +23,7 @@ const CROSSED: Look = Look::REJECTED.outline();
 
 /// The axis of t below the ray, with a row for each slab.
 pub(in crate::figure) struct Axis<'a> {
-    pub(in crate::figure) stage: &'a Stage,
+    pub(in crate::figure) space: &'a Space,
     pub(in crate::figure) ray: &'a Ray,
     pub(in crate::figure) frame: Frame,
     pub(in crate::figure) row: f64,
@@ -32,13 +32,13 @@ pub(in crate::figure) struct Axis<'a> {
 impl Axis<'_> {
     /// Where a t stands, and whether it lies on the axis.
     fn place(&self, t: f64) -> (f64, bool) {
-        let x = self.stage.place(self.ray.at(t)).x;
+        let x = self.space.place(self.ray.at(t)).x;
         let (left, right) = self.ends();
         (x.clamp(left, right), left <= x && x <= right)
     }
 
     fn ends(&self) -> (f64, f64) {
-        (self.stage.frame.min.x, self.stage.frame.max.x)
+        (self.space.frame.min.x, self.space.frame.max.x)
     }
 
     /// The middle of a row.

@@ -8,7 +8,7 @@ use crate::figure::sheet::canvas::quantity;
 use crate::figure::sheet::look::Look;
 use crate::figure::spec::Layer;
 use crate::figure::subject::Figure;
-use crate::figure::view::Stage;
+use crate::figure::view::Space;
 use crate::geometry::{Refraction, reflect};
 use crate::trace::{Event, Item, RayNode, Record, Shade};
 
@@ -69,7 +69,7 @@ impl<'a> Met<'a> {
 pub(in crate::figure) fn draw(
     figure: &Figure,
     sheet: &mut Sheet,
-    stage: &Stage,
+    space: &Space,
     records: &[Record],
     node: &RayNode,
 ) {
@@ -80,32 +80,32 @@ pub(in crate::figure) fn draw(
         return;
     }
     sheet.step(met.record.step, |sheet| {
-        let at = stage.place(met.shade.point);
+        let at = space.place(met.shade.point);
         if figure.shows(Layer::Normals) {
-            let along = stage.direction(met.shade.normal);
+            let along = space.direction(met.shade.normal);
             let reach = NORMAL * sheet.unit() * along;
             sheet.arrow(Look::THIN.wide(1.25), at, at + reach);
-            sheet.label(stage.frame, at + reach, along, "N");
+            sheet.label(space.frame, at + reach, along, "N");
             if met.refraction.is_some_and(|of| of.direction.is_some()) {
                 sheet.line(Look::HELP, at, at - reach);
             }
         }
         if figure.shows(Layer::Angles) {
-            angles(sheet, stage, &met);
+            angles(sheet, space, &met);
         }
     });
 }
 
-fn angles(sheet: &mut Sheet, stage: &Stage, met: &Met) {
-    let at = stage.place(met.shade.point);
+fn angles(sheet: &mut Sheet, space: &Space, met: &Met) {
+    let at = space.place(met.shade.point);
     let normal = met.shade.normal;
     let mut angle = |between: [DVec3; 2], cosine: f64| {
         let angle = Angle {
             at,
-            between: between.map(|of| stage.direction(of)),
+            between: between.map(|of| space.direction(of)),
             radius: ARC,
         };
-        angle.draw(sheet, stage.frame, degrees(cosine));
+        angle.draw(sheet, space.frame, degrees(cosine));
     };
     angle([normal, -met.direction], met.cosine());
     if 0.0 < met.shade.reflection {
@@ -122,7 +122,7 @@ fn angles(sheet: &mut Sheet, stage: &Stage, met: &Met) {
             degrees(met.cosine()),
             quantity(critical_angle(refraction)),
         );
-        sheet.label(stage.frame, at, stage.direction(-normal), text);
+        sheet.label(space.frame, at, space.direction(-normal), text);
     }
 }
 

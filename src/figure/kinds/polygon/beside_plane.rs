@@ -55,13 +55,13 @@ pub(super) fn draw(
         end + down,
         middle + normal,
     ];
-    let stage = figure.stage(drawing, polygon.vertices().chain(points));
+    let space = figure.space(drawing, polygon.vertices().chain(points));
     sheet.within(drawing, |sheet| {
-        let place = |point| stage.place(point);
-        let seen = |point| stage.projection.of(point);
+        let place = |point| space.place(point);
+        let seen = |point| space.projection.of(point);
 
         let rim = Rim::Points(polygon.vertices().map(seen).collect());
-        outline::rim(sheet, &stage, &rim, Look::OBJECT);
+        outline::rim(sheet, &space, &rim, Look::OBJECT);
         let tip = place(middle + normal);
         sheet.arrow(Look::THIN, place(middle), tip);
         sheet.label(drawing, tip, tip - place(middle), "(A, B, C)");

@@ -25,20 +25,20 @@ pub(super) fn draw(figure: &Figure, sheet: &mut Sheet, frame: Frame, tested: &Te
     let corners = DVec3::AXES.map(|axis| axis * reach);
     let points = polygon.vertices().chain(corners);
     let points = points.chain([DVec3::ZERO, ray.origin, p, axes::foot(along, reach)]);
-    let stage = figure.stage(frame.wider(-sheet.letters), points);
+    let space = figure.space(frame.wider(-sheet.letters), points);
     sheet.within(frame, |sheet| {
         let shape = |of: &mut dyn Iterator<Item = DVec3>| {
-            Rim::Points(of.map(|point| stage.projection.of(point)).collect())
+            Rim::Points(of.map(|point| space.projection.of(point)).collect())
         };
 
         let rim = shape(&mut polygon.vertices());
         if figure.shows(Layer::Projection) {
-            axes::draw_plane(sheet, &stage, along, reach);
-            axes::draw(sheet, &stage, along, reach);
+            axes::draw_plane(sheet, &space, along, reach);
+            axes::draw(sheet, &space, along, reach);
         }
-        outline::rim(sheet, &stage, &rim, Look::OBJECT);
+        outline::rim(sheet, &space, &rim, Look::OBJECT);
 
-        let (from, to) = (stage.place(ray.origin), stage.place(p));
+        let (from, to) = (space.place(ray.origin), space.place(p));
         sheet.step(tested.starts, |sheet| {
             sheet.dot(Look::RAY, from);
             sheet.label(frame, from, from - to, "COP");
@@ -49,7 +49,7 @@ pub(super) fn draw(figure: &Figure, sheet: &mut Sheet, frame: Frame, tested: &Te
             sheet.arrow(Look::RAY, from, to);
             if !test.inside {
                 // it goes on, below the plane
-                sheet.line(Look::LINE_OF_RAY, to, stage.place(beyond));
+                sheet.line(Look::LINE_OF_RAY, to, space.place(beyond));
             }
             sheet.label(frame, to, DVec2::new(1.0, -0.4), "p");
         });
@@ -59,17 +59,17 @@ pub(super) fn draw(figure: &Figure, sheet: &mut Sheet, frame: Frame, tested: &Te
                 let help = Look::HELP.wide(0.75);
                 for vertex in polygon.vertices() {
                     let foot = axes::foot(along, vertex);
-                    sheet.line(help, stage.place(vertex), stage.place(foot));
+                    sheet.line(help, space.place(vertex), space.place(foot));
                 }
                 let shadow = shape(&mut polygon.vertices().map(|vertex| axes::foot(along, vertex)));
-                outline::rim(sheet, &stage, &shadow, Look::OBJECT.wide(1.0));
-                let foot = stage.place(axes::foot(along, p));
+                outline::rim(sheet, &space, &shadow, Look::OBJECT.wide(1.0));
+                let foot = space.place(axes::foot(along, p));
                 sheet.line(Look::HELP.wide(1.5), to, foot);
                 mark(sheet, test.inside, foot);
                 sheet.label(frame, foot, DVec2::new(1.0, 0.4), "p′");
             }
             if test.inside {
-                outline::rim(sheet, &stage, &rim, Look::HIT.outline());
+                outline::rim(sheet, &space, &rim, Look::HIT.outline());
             }
             mark(sheet, test.inside, to);
         });

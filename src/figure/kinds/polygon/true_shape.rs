@@ -9,7 +9,7 @@ use crate::figure::sheet::Sheet;
 use crate::figure::sheet::canvas::quantity;
 use crate::figure::sheet::frame::Frame;
 use crate::figure::sheet::look::Look;
-use crate::figure::view::Stage;
+use crate::figure::view::Space;
 use crate::geometry::{Axis, EdgeTest};
 
 /// The projected polygon in true shape, the half-line from p′, and the edges that count.
@@ -42,14 +42,14 @@ pub(super) fn draw(sheet: &mut Sheet, frame: Frame, tested: &Tested) {
     let points = flat
         .map(|at| axes::on_plane(axis, *at))
         .chain([DVec3::ZERO, axes::foot(axis, reach)]);
-    let stage = Stage::fitted(
+    let space = Space::fitted(
         axes::view_along(axis),
         panel.wider(-0.8 * sheet.letters),
         points,
     );
-    let place = |at: DVec2| stage.place(axes::on_plane(axis, at));
+    let place = |at: DVec2| space.place(axes::on_plane(axis, at));
 
-    axes::draw_plane(sheet, &stage, axis, reach);
+    axes::draw_plane(sheet, &space, axis, reach);
     sheet.polygon(Look::OBJECT, outline.iter().map(|at| place(*at)).collect());
     let first = tested.edges.first().map_or(step, |(_, step)| *step);
     sheet.step(first, |sheet| {
@@ -95,7 +95,7 @@ pub(super) fn draw_two(sheet: &mut Sheet, frame: Frame, tested: &Tested, other: 
     let half = 0.5 * frame.size().y;
     let parts = [test.dropped, other].into_iter().zip(frame.split_top(half));
     sheet.step(step, |sheet| {
-        let panels: Vec<(Axis, Frame, Stage)> = parts
+        let panels: Vec<(Axis, Frame, Space)> = parts
             .map(|(axis, part)| {
                 let (letter, name) = (axes::letter(axis), axes::coefficient(axis));
                 let share = quantity(axis.of(normal).abs());
@@ -105,15 +105,15 @@ pub(super) fn draw_two(sheet: &mut Sheet, frame: Frame, tested: &Tested, other: 
                 (
                     axis,
                     panel,
-                    Stage::fitted(axes::view_along(axis), panel, feet),
+                    Space::fitted(axes::view_along(axis), panel, feet),
                 )
             })
             .collect();
-        let scales = panels.iter().map(|(_, _, stage)| stage.scale);
+        let scales = panels.iter().map(|(_, _, space)| space.scale);
         let scale = scales.fold(f64::INFINITY, f64::min);
-        for (axis, panel, mut stage) in panels {
-            stage.scale = scale;
-            let place = |point| stage.place(axes::foot(axis, point));
+        for (axis, panel, mut space) in panels {
+            space.scale = scale;
+            let place = |point| space.place(axes::foot(axis, point));
             sheet.polygon(Look::OBJECT, tested.polygon.vertices().map(place).collect());
             let p = place(test.point);
             mark(sheet, test.inside, p);
