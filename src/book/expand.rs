@@ -10,7 +10,7 @@ use crate::book::value::value;
 use crate::explain::render::{escaped, html};
 use crate::explain::{Unfold, WorkedOptions, worked_solution};
 use crate::figure::FigureSpec;
-use crate::figure::{Rendition, Traced, Width};
+use crate::figure::{Rendition, Traced, UpTo, Width};
 use crate::lesson::{
     FigureName, Lesson, LessonError, Library, NotCompared, compare, compare_transports,
     light_of_lamps,
@@ -115,11 +115,18 @@ impl<'a> Expander<'a> {
         let mut up_to = None;
         for word in words {
             match word.split_once('=') {
-                Some(("step", _)) if up_to.is_some() => {
-                    return Err("step is given twice\n  give it once".into());
+                Some((key @ ("step" | "stage"), _)) if up_to.is_some() => {
+                    return Err(format!(
+                        "{key} comes after another end of the drawing\n  give one step=N, or one stage=N"
+                    ));
                 }
-                Some(("step", number)) => up_to = Some(whole_number("step", number)?),
-                _ => return Err(unknown_option(word, &["step=N"])),
+                Some(("step", number)) => {
+                    up_to = Some(UpTo::Step(whole_number("step", number)?));
+                }
+                Some(("stage", number)) => {
+                    up_to = Some(UpTo::Stage(whole_number("stage", number)?));
+                }
+                _ => return Err(unknown_option(word, &["step=N", "stage=N"])),
             }
         }
         let Named {
@@ -136,8 +143,10 @@ impl<'a> Expander<'a> {
         let drawn = lesson.draw(&name.figure, spec, traced, &id, (Width::Book, rendition));
         let drawn = drawn.map_err(|error| error.to_string())?;
         let mut command = format!("raystep figure {name}");
-        if let Some(step) = up_to {
-            command = format!("{command} --step {step}");
+        match up_to {
+            Some(UpTo::Step(step)) => command = format!("{command} --step {step}"),
+            Some(UpTo::Stage(stage)) => command = format!("{command} --stage {stage}"),
+            None => {}
         }
         if let Some(lessons) = &self.lessons {
             command = format!("{command} --lessons {}", for_shell(lessons));

@@ -4,9 +4,9 @@ use std::fs::File;
 use std::io::BufReader;
 use std::path::{Path, PathBuf};
 
-use raystep::figure::Drawn;
+use raystep::figure::{Drawn, DrawnStage, UpTo};
 use raystep::lesson::{Lesson, LessonError};
-use raystep::scene::Loaded;
+use raystep::scene::{Loaded, printable};
 use raystep::trace::LogError;
 use raystep::{FigureName, FigureSpec, Folder, Library, Rendition, Traced, Width};
 
@@ -31,6 +31,7 @@ impl Drawing {
         let rendition = Rendition {
             grayscale: self.grayscale,
             standalone: self.standalone,
+            titled: self.titled,
             up_to: None,
         };
         (width, rendition)
@@ -77,7 +78,7 @@ pub(crate) fn run(args: &FigureArgs) -> Result<(), Error> {
         taken.refuse(path)?;
         taken.write(path, "which --write-log writes");
     }
-    if !args.steps {
+    if !args.steps && !args.stages {
         taken.refuse(&args.output)?;
     }
     let write = writer(args)?;
@@ -90,15 +91,25 @@ pub(crate) fn run(args: &FigureArgs) -> Result<(), Error> {
         let rendition = Rendition { up_to, ..rendition };
         drawn(lesson, spec, &args.name, &traced, (width, rendition))
     };
-    let whole = draw(args.step)?;
+    let step = args.step.map(UpTo::Step);
+    let stage = args.stage.map(UpTo::Stage);
+    let whole = draw(step.or(stage))?;
     let mut drawings = Vec::new();
     if args.steps {
-        let files = numbered(&args.output, whole.steps.len())?;
-        for (file, step) in files.into_iter().zip(&whole.steps) {
+        // a figure without stages is one
+        let ends: Vec<Option<UpTo>> = match whole.stages.len() {
+            0 => vec![None],
+            last => (1..=last as u32)
+                .map(|stage| Some(UpTo::Stage(stage)))
+                .collect(),
+        };
+        let files = numbered(&args.output, ends.len())?;
+        for (file, end) in files.into_iter().zip(ends) {
             taken.refuse(&file)?;
-            drawings.push((file, write(&draw(Some(*step))?.svg)?));
+            let drawn = draw(end)?;
+            drawings.push((file, write(&drawn.svg)?));
         }
-    } else {
+    } else if !args.stages {
         drawings.push((args.output.clone(), write(&whole.svg)?));
     }
 
@@ -113,7 +124,22 @@ pub(crate) fn run(args: &FigureArgs) -> Result<(), Error> {
     for (file, drawing) in drawings {
         Output::create(&file, &taken)?.write_whole(&drawing)?;
     }
+    if args.stages {
+        Output::standard().write_whole(list_of_stages(&whole.stages).as_bytes())?;
+    }
     Ok(())
+}
+
+/// A line for each stage: its number, its name and what it says.
+fn list_of_stages(stages: &[DrawnStage]) -> String {
+    let widest = stages.iter().map(|stage| stage.name.chars().count()).max();
+    let widest = widest.unwrap_or(0);
+    let line = |(place, stage): (usize, &DrawnStage)| {
+        let name = printable(&stage.name);
+        let sentence = printable(&stage.sentence);
+        format!("{:>2}  {name:<widest$}  {sentence}\n", place + 1)
+    };
+    stages.iter().enumerate().map(line).collect()
 }
 
 /// Draws a figure of a lesson into a file of its own.

@@ -96,7 +96,7 @@ impl Axis {
         let counts = rows.iter().filter_map(|row| row.counts).flatten();
         let largest = counts.max().unwrap_or(0);
         let start = frame.min.x + names + GAP * em;
-        let end = frame.max.x - sheet.width_of(&grouped(largest)) - GAP * em;
+        let end = frame.max.x - sheet.width_of(grouped(largest)) - GAP * em;
         // 10 is one power of ten, 11 reaches into the second; there is at least one
         let decades = largest.saturating_sub(1).checked_ilog10().unwrap_or(0) + 1;
         let one = start + ONE * em;
@@ -120,7 +120,7 @@ impl Axis {
         sheet.line(Look::THIN, at(self.start, top), at(self.start, y));
         sheet.line(Look::THIN, at(self.start, y), at(end, y));
         // the longest label with some air: every so many powers of ten have one
-        let label = sheet.width_of(&power_of_ten(self.decades)) + GAP * em;
+        let label = sheet.width_of(power_of_ten(self.decades)) + GAP * em;
         let labelled = (label / self.decade).ceil().max(1.0) as u32;
         for power in 0..=self.decades {
             let x = self.one + self.decade * f64::from(power);

@@ -3,7 +3,8 @@
 use crate::figure::error::FigureError;
 use crate::figure::kinds::kind;
 use crate::figure::parts::picture;
-use crate::figure::sheet::canvas::{Canvas, Rendition};
+use crate::figure::sheet::canvas::{Canvas, Rendition, UpTo};
+use crate::figure::sheet::stage::Stage;
 use crate::figure::sheet::{Sheet, Width};
 use crate::figure::spec::{FigureSpec, Layer};
 use crate::figure::subject::Figure;
@@ -18,6 +19,19 @@ pub struct Drawn {
     pub description: String,
     /// The steps of the trace that make something in it, rising.
     pub steps: Vec<u32>,
+    /// The stages of its argument, in their order.
+    pub stages: Vec<DrawnStage>,
+}
+
+/// A stage of a figure's argument.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct DrawnStage {
+    /// Its name: a named part of a derivation, or a word that the figure alone has.
+    pub name: String,
+    /// What it says.
+    pub sentence: String,
+    /// The last step of the trace that it needs.
+    pub step: Option<u32>,
 }
 
 /// Draws a figure from its trace alone. The id begins all ids and classes in it: a word of letters, digits and `-`.
@@ -54,25 +68,66 @@ pub fn draw(
     };
     let mut sheet = Sheet::new(width, kind.height);
     let mut body = sheet.body();
+    if rendition.titled {
+        body = sheet.heading(body, &figure.title());
+    }
     if spec.show.contains(&Layer::Image) {
         body = picture::beside(&figure, &mut sheet, body);
     }
     let description = (kind.draw)(&figure, &mut sheet, body)?;
-    let marks = sheet.marks.iter().map(|mark| mark.step);
-    let words = sheet.words.iter().map(|of| of.step);
-    let labels = sheet.labels.iter().map(|of| of.step);
+    let marks = sheet.marks.iter().map(|mark| mark.since.step);
+    let words = sheet.words.iter().map(|of| of.since.step);
+    let labels = sheet.labels.iter().map(|of| of.since.step);
     let mut steps: Vec<u32> = marks.chain(words).chain(labels).flatten().collect();
     steps.sort_unstable();
     steps.dedup();
     let rendition = Rendition {
-        up_to: rendition.up_to.or(spec.step),
+        up_to: rendition.up_to.or(spec.step.map(UpTo::Step)),
         ..rendition
+    };
+    if let Some(UpTo::Stage(stage)) = rendition.up_to
+        && !(1..=sheet.stages.len()).contains(&(stage as usize))
+    {
+        let last = sheet.stages.len();
+        let fix = match last {
+            0 => "draw it without one".into(),
+            _ => format!("its stages are 1 to {last}"),
+        };
+        let what = format!("the figure has no stage {stage}");
+        return Err(FigureError::new("stage", what, fix));
+    }
+    let stages: Vec<DrawnStage> = sheet.stages.iter().map(DrawnStage::of).collect();
+    let description = match rendition.up_to {
+        Some(up_to) if !stages.is_empty() => story(&stages, up_to),
+        _ => description,
     };
     Ok(Drawn {
         svg: Canvas::write(sheet, id, [&figure.title(), &description], rendition),
         description,
         steps,
+        stages,
     })
+}
+
+impl DrawnStage {
+    fn of(stage: &Stage) -> Self {
+        Self {
+            name: stage.name.0.clone().into_owned(),
+            sentence: stage.sentence.clone(),
+            step: stage.step,
+        }
+    }
+}
+
+/// What the stages say up to there.
+fn story(stages: &[DrawnStage], up_to: UpTo) -> String {
+    let is_told = |(place, stage): &(usize, &DrawnStage)| match up_to {
+        UpTo::Stage(last) => *place < last as usize,
+        UpTo::Step(last) => stage.step.is_none_or(|step| step <= last),
+    };
+    let told = stages.iter().enumerate().filter(is_told);
+    let told: Vec<&str> = told.map(|(_, stage)| stage.sentence.as_str()).collect();
+    told.join(" ")
 }
 
 /// Is the log of a figure all there? Its pixels all have a colour, and there is one trace for each variant.

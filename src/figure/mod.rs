@@ -17,11 +17,12 @@ pub(crate) mod traced;
 mod view;
 
 pub use cost_chart::cost_chart;
-pub use draw::{Drawn, draw};
+pub use draw::{Drawn, DrawnStage, draw};
 pub use error::FigureError;
 pub use heat_map::{Raster, heat_map};
 pub(crate) use sheet::Width;
 pub(crate) use sheet::canvas::Rendition;
+pub use sheet::canvas::UpTo;
 pub use sheet::font::text_width;
 pub(crate) use spec::FigureSpec;
 pub use spec::{DroppedAxis, FigureKind, Layer};

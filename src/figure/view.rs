@@ -34,6 +34,8 @@ pub(super) struct Projection {
     across: DVec3,
     /// The direction that goes upwards, of unit length and perpendicular to it.
     up: DVec3,
+    /// Does it show a space, in which a ball is more than a circle?
+    pub(super) in_space: bool,
 }
 
 impl View {
@@ -55,7 +57,10 @@ impl View {
                 let [above_sin, above_cos] = [libm::sin(above), libm::cos(above)];
                 let across = DVec3::new(turn_cos, 0.0, -turn_sin);
                 let towards = DVec3::new(turn_sin * above_cos, above_sin, turn_cos * above_cos);
-                Projection::new(across, towards.cross(across))
+                Projection {
+                    in_space: true,
+                    ..Projection::new(across, towards.cross(across))
+                }
             }
         }
     }
@@ -66,7 +71,11 @@ impl Projection {
     pub(super) fn new(across: DVec3, up: DVec3) -> Self {
         let across = across.normalize_or(DVec3::X);
         let up = up.reject_from_normalized(across).normalize_or(DVec3::Y);
-        Self { across, up }
+        Self {
+            across,
+            up,
+            in_space: false,
+        }
     }
 
     /// The projection of a point: to the right, and upwards.

@@ -21,6 +21,9 @@ pub(crate) struct Drawing {
     /// Use shades of grey, for print
     #[arg(long)]
     pub(crate) grayscale: bool,
+    /// Set the figure's title above it
+    #[arg(long)]
+    pub(crate) titled: bool,
     /// Use fixed colours, which every program can read, instead of the colours of the web page
     #[arg(long)]
     pub(crate) standalone: bool,
@@ -40,6 +43,8 @@ pub(crate) enum WidthName {
 #[command(after_help = "Examples:
   raystep figure 12-grid/walk -o walk.svg
   raystep figure 12-grid/walk --width slide --standalone -o walk.svg
+  raystep figure 12-grid/walk --stages
+  raystep figure 12-grid/walk --steps -o walk.svg
   raystep figure 12-grid/walk --write-log walk.jsonl -o walk.svg
   raystep figure 12-grid/walk --log walk.jsonl -o walk.svg")]
 pub(crate) struct FigureArgs {
@@ -57,11 +62,17 @@ pub(crate) struct FigureArgs {
     #[arg(long)]
     pub(crate) pdf: bool,
     /// Draw the trace only up to this step of the log
-    #[arg(long, value_name = "N", conflicts_with = "steps")]
+    #[arg(long, value_name = "N", conflicts_with_all = ["stage", "steps", "stages"])]
     pub(crate) step: Option<u32>,
-    /// Write a file for each step that adds something to the drawing: F-1.svg, F-2.svg, …
+    /// Draw the figure only up to this stage of its argument
+    #[arg(long, value_name = "N", conflicts_with_all = ["steps", "stages"])]
+    pub(crate) stage: Option<u32>,
+    /// Write a file for each stage of the figure's argument: F-1.svg, F-2.svg, …
     #[arg(long)]
     pub(crate) steps: bool,
+    /// Write no figure; print its stages, with what each says
+    #[arg(long, conflicts_with_all = ["steps", "output", "png", "pdf"])]
+    pub(crate) stages: bool,
     /// Draw from this log of the figure, without its scene
     #[arg(long, value_name = "F.jsonl")]
     pub(crate) log: Option<PathBuf>,
@@ -87,7 +98,7 @@ pub(crate) struct FiguresArgs {
     #[arg(long)]
     pub(crate) check: bool,
     /// Write nothing; print the name of each figure and its caption
-    #[arg(long, conflicts_with_all = ["check", "out", "width", "grayscale", "standalone"])]
+    #[arg(long, conflicts_with_all = ["check", "out", "width", "grayscale", "titled", "standalone"])]
     pub(crate) list: bool,
     /// How they are drawn.
     #[command(flatten)]

@@ -108,7 +108,7 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
 /// The nearest hit is a point, those behind it are rings.
 fn mark(sheet: &mut Sheet, place: u32, at: DVec2) {
     if place == 0 {
-        sheet.dot(Look::HIT, at);
+        sheet.dot(Look::ANSWER, at);
     } else {
         sheet.ring(Look::THIN.wide(1.5), at);
     }

@@ -58,7 +58,7 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
         }
         let rim: Vec<DVec2> = rim.iter().map(|at| space.projection.of(*at)).collect();
         sheet.step(gathering.step, |sheet| {
-            outline::rim(sheet, &space, &Rim::Points(rim), Look::HIT);
+            outline::rim(sheet, &space, &Rim::Points(rim), Look::ANSWER);
             photons(sheet, &space, gathering, radius);
         });
     });
@@ -108,7 +108,7 @@ fn photons(sheet: &mut Sheet, space: &Space, gathering: &Gathering, radius: f64)
     for (place, (step, photon)) in gathering.nearby.iter().enumerate() {
         let to = space.place(photon.point);
         if place < counted {
-            sheet.step(*step, |sheet| sheet.dot(Look::HIT, to));
+            sheet.step(*step, |sheet| sheet.dot(Look::ANSWER, to));
             continue;
         }
         sheet.step(gathering.step, |sheet| {

@@ -35,7 +35,7 @@ pub(super) const KIND: Kind = Kind {
 /// An object that was hit, but behind another.
 const MET: Look = Look {
     dash: Dash::Alternating,
-    ..Look::HIT
+    ..Look::ANSWER
 };
 
 fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, FigureError> {
@@ -108,7 +108,7 @@ fn is_nearest(ray: &DrawnRay, object: PrimitiveId) -> bool {
 
 fn look(ray: &DrawnRay, tested: &Listed) -> Look {
     match tested.met {
-        Some(true) if is_nearest(ray, tested.object) => Look::HIT,
+        Some(true) if is_nearest(ray, tested.object) => Look::ANSWER,
         Some(true) => MET,
         _ => Look::REJECTED,
     }
@@ -145,7 +145,7 @@ fn hits(figure: &Figure, sheet: &mut Sheet, plan: &Plan, (ray, walk): (&DrawnRay
     };
     let at = plan.place(t);
     sheet.step(plan.last_step(), |sheet| {
-        sheet.dot(Look::HIT, at);
+        sheet.dot(Look::ANSWER, at);
         if figure.shows(Layer::Numbers) {
             sheet.label(frame, at, plan.above(), format!("t = {}", quantity(t)));
         }
@@ -167,7 +167,7 @@ fn legend(
     if figure.shows(Layer::Tests) {
         let looks: Vec<Look> = tested.iter().map(|of| look(ray, of)).collect();
         let known = [
-            (Look::HIT, "hit"),
+            (Look::ANSWER, "hit"),
             (MET, "hit, but farther"),
             (Look::REJECTED, "missed"),
         ];

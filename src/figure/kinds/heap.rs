@@ -280,11 +280,11 @@ impl Table {
 
 /// How wide the longest text of a cell is; no less than a number of two digits and a distance of four.
 fn widest(sheet: &Sheet, turns: &[Turn]) -> f64 {
-    let width = |node: u32, key: f64| sheet.width_of(&entry_text(node, key));
+    let width = |node: u32, key: f64| sheet.width_of(entry_text(node, key));
     let texts = turns.iter().flat_map(|turn| {
         let taken = turn.taken.map(|taken| width(taken.node, taken.key));
         let waiting = turn.waiting.iter();
-        let nearest = turn.nearest.map(|(_, t, _)| sheet.width_of(&quantity(t)));
+        let nearest = turn.nearest.map(|(_, t, _)| sheet.width_of(quantity(t)));
         taken
             .into_iter()
             .chain(nearest)
@@ -309,7 +309,11 @@ fn tests(figure: &Figure, sheet: &mut Sheet, middle: DVec2, turn: &Turn) {
     let mut left = middle.x - 0.5 * all;
     for ((name, width), (_, step, is_hit)) in names.into_iter().zip(widths).zip(&turn.tested) {
         sheet.step(*step, |sheet| {
-            let look = if *is_hit { Look::HIT } else { Look::REJECTED };
+            let look = if *is_hit {
+                Look::ANSWER
+            } else {
+                Look::REJECTED
+            };
             let half = DVec2::new(0.5 * width - 0.1 * gap, 0.75 * sheet.letters);
             let at = DVec2::new(left + 0.5 * width, middle.y);
             let (min, max) = (at - half, at + half);

@@ -173,7 +173,7 @@ impl Walk<'_> {
             if met.is_some() {
                 let test = self.visits.tested.iter().rfind(|(_, _, is_hit)| *is_hit);
                 sheet.step(test.map(|(_, step, _)| *step), |sheet| {
-                    sheet.dot(Look::HIT, to);
+                    sheet.dot(Look::ANSWER, to);
                 });
             }
         }
@@ -249,7 +249,11 @@ impl Walk<'_> {
             }
             let half = DVec2::new(0.5 * width + 0.4 * sheet.letters, 0.75 * sheet.letters);
             let (min, max) = (middle - half, middle + half);
-            let look = if *is_hit { Look::HIT } else { Look::REJECTED };
+            let look = if *is_hit {
+                Look::ANSWER
+            } else {
+                Look::REJECTED
+            };
             sheet.step(*step, |sheet| {
                 sheet.rectangle(look.outline(), Frame { min, max });
             });

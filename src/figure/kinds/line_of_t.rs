@@ -91,7 +91,7 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
         && let Some(outline) = &met
     {
         sheet.step(line.end_step, |sheet| {
-            draw_outline(sheet, &space, outline, Look::HIT);
+            draw_outline(sheet, &space, outline, Look::ANSWER);
         });
     }
     if figure.shows(Layer::Window) {
@@ -183,7 +183,7 @@ fn the_line(sheet: &mut Sheet, space: &Space, line: &Line, stops: &[Stop], ends:
         for stop in stops {
             sheet.step(stop.step, |sheet| {
                 let look = if stop.name == "hit" {
-                    Look::HIT
+                    Look::ANSWER
                 } else {
                     Look::RAY
                 };

@@ -327,7 +327,7 @@ fn eye_rays(figure: &Figure, sheet: &mut Sheet, space: &Space, section: &Section
                 sheet.label(space.frame, from.lerp(to, 0.45), up, "eye ray");
             }
             if figure.shows(Layer::Hits) && end.t.is_some() {
-                sheet.dot(Look::HIT, to);
+                sheet.dot(Look::ANSWER, to);
             }
         });
     }
@@ -341,7 +341,7 @@ fn disc_around(figure: &Figure, sheet: &mut Sheet, space: &Space, gathering: &Ga
     sheet.step(gathering.step, |sheet| {
         let rim: Vec<DVec2> = rim.iter().map(|at| space.projection.of(*at)).collect();
         let [left, right] = ends_across(&rim).map(|at| space.place_flat(at));
-        outline::rim(sheet, space, &Rim::Points(rim), Look::HIT.wide(5.0));
+        outline::rim(sheet, space, &Rim::Points(rim), Look::ANSWER.wide(5.0));
         let end = if left.x < right.x { right } else { left };
         if space.frame.contains(end) {
             let text = format!("disc of {} photons", gathering.gathered.count);

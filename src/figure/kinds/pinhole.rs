@@ -66,7 +66,7 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
     if figure.shows(Layer::Objects) {
         scenery::objects(figure, sheet, &space, |id| {
             if seen.iter().any(|of| of.object == id) {
-                Look::HIT
+                Look::ANSWER
             } else {
                 Look::OBJECT
             }
@@ -273,7 +273,7 @@ fn ray(sheet: &mut Sheet, space: &Space, camera: &Camera, of: &Seen, name: &str)
     let along = (point - pinhole).normalize_or_zero();
     sheet.arrow(Look::RAY, pinhole, point - 4.0 * sheet.unit() * along);
     sheet.arrow(Look::SHADOW_RAY, pinhole, negative);
-    sheet.dot(Look::HIT, point);
+    sheet.dot(Look::ANSWER, point);
     sheet.dot(Look::RAY, window);
     sheet.label(space.frame, point, along, name);
     sheet.label(
@@ -291,7 +291,7 @@ fn images(sheet: &mut Sheet, space: &Space, seen: &[Seen], is_edge_on: bool) {
         return;
     };
     sheet.step(last.step.max(first.step), |sheet| {
-        let look = Look::HIT.outline().wide(4.0);
+        let look = Look::ANSWER.outline().wide(4.0);
         for image in [|of: &Seen| of.on_window, |of: &Seen| of.on_negative] {
             sheet.arrow(look, space.place(image(last)), space.place(image(first)));
         }

@@ -211,7 +211,7 @@ fn ray(
     if has_mark && end.verdict == RayVerdict::Blocked {
         sheet.cross(Look::REJECTED, to);
     } else if has_mark {
-        sheet.dot(Look::HIT, to);
+        sheet.dot(Look::ANSWER, to);
     }
     let text = match (start.purpose, end.verdict) {
         (Purpose::Shadow, RayVerdict::Blocked) => "blocked",

@@ -54,7 +54,7 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
     if figure.shows(Layer::Objects) {
         scenery::objects(figure, sheet, &space, |id| {
             if id == point.shade.object {
-                Look::HIT
+                Look::ANSWER
             } else {
                 Look::OBJECT
             }
@@ -181,7 +181,7 @@ fn vectors(figure: &Figure, sheet: &mut Sheet, space: &Space, point: &Point, len
             angle(sheet, [point.mirrored, point.to_viewer], 0.75, "α");
         });
     }
-    sheet.dot(Look::HIT, at);
+    sheet.dot(Look::ANSWER, at);
 }
 
 /// A name, its value, and the step that makes it.

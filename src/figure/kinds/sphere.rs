@@ -156,7 +156,7 @@ fn in_space(figure: &Figure, sheet: &mut Sheet, frame: Frame, solved: &Solved) {
 
         sheet.step(solved.step, |sheet| {
             if is_hit.is_some() {
-                outline::draw(sheet, &space, &outline, Look::HIT.outline());
+                outline::draw(sheet, &space, &outline, Look::ANSWER.outline());
             }
             if first < 0.0 {
                 let behind = space.place(ray.at(first - room));
@@ -226,7 +226,7 @@ fn normal(figure: &Figure, sheet: &mut Sheet, space: &Space, solved: &Solved) {
     let (at, along) = (space.place(shade.point), space.direction(shade.normal));
     let tip = at + space.scale * along;
     sheet.step(step, |sheet| {
-        sheet.arrow(Look::HIT.outline(), at, tip);
+        sheet.arrow(Look::ANSWER.outline(), at, tip);
         sheet.label(space.frame, tip, along, "N");
     });
 }

@@ -46,7 +46,7 @@ impl Verdict {
 
     fn look(self) -> Look {
         match self {
-            Self::Hit => Look::HIT.outline(),
+            Self::Hit => Look::ANSWER.outline(),
             Self::Wasted => Look::REJECTED.outline(),
             Self::Rejected => Look::CULLED,
         }
@@ -315,7 +315,7 @@ fn draw_panel(figure: &Figure, sheet: &mut Sheet, space: &Space, panel: &Panel, 
                     sheet.line(solid.wide(3.5), place(near), place(far));
                 }
                 if tested.verdict == Verdict::Hit {
-                    sheet.dot(Look::HIT, to);
+                    sheet.dot(Look::ANSWER, to);
                 }
             });
         }

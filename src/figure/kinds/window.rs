@@ -145,7 +145,7 @@ fn ray(figure: &Figure, sheet: &mut Sheet, space: &Space, records: &[Record], no
     let head = if is_hit { 4.0 * sheet.unit() } else { 0.0 };
     sheet.arrow(Look::RAY, from, to - head * (to - from).normalize_or_zero());
     if is_hit {
-        sheet.dot(Look::HIT, to);
+        sheet.dot(Look::ANSWER, to);
     }
     // beyond the window, where the lines to its corners end
     let window = place_on_window(records).map_or(from, |(point, _)| space.place(point));

@@ -7,6 +7,7 @@ use crate::figure::sheet::Sheet;
 use crate::figure::sheet::canvas::quantity;
 use crate::figure::sheet::frame::Frame;
 use crate::figure::sheet::look::Look;
+use crate::figure::sheet::text::Text;
 
 /// An angle between two directions of a sheet.
 #[derive(Clone, Copy, Debug)]
@@ -20,7 +21,7 @@ pub(in crate::figure) struct Angle {
 
 impl Angle {
     /// Draws the arc with a label beside its middle. Nothing where a direction is seen from its end.
-    pub(in crate::figure) fn draw(self, sheet: &mut Sheet, within: Frame, text: impl Into<String>) {
+    pub(in crate::figure) fn draw(self, sheet: &mut Sheet, within: Frame, text: impl Into<Text>) {
         let [Some(from), Some(to)] = self.between.map(DVec2::try_normalize) else {
             return;
         };

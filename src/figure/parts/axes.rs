@@ -2,10 +2,13 @@
 
 use glam::{DVec2, DVec3};
 
+use crate::figure::parts::depth;
 use crate::figure::sheet::Sheet;
 use crate::figure::sheet::look::Look;
+use crate::figure::sheet::text::formula;
 use crate::figure::view::{Projection, Space};
 use crate::geometry::Axis;
+use crate::scene::Primitive;
 
 /// The letter of an axis.
 pub(in crate::figure) fn letter(axis: Axis) -> &'static str {
@@ -56,18 +59,33 @@ pub(in crate::figure) fn view_along(axis: Axis) -> Projection {
     }
 }
 
-/// Draws an axis from the origin to its place in `reach`, with its letter at the end.
-pub(in crate::figure) fn draw(sheet: &mut Sheet, space: &Space, axis: Axis, reach: DVec3) {
-    let (from, to) = (
-        space.place(DVec3::ZERO),
-        space.place(axis.of(reach) * unit(axis)),
-    );
-    sheet.arrow(Look::THIN, from, to);
-    sheet.label(space.frame, to, to - from, letter(axis));
+/// Draws an axis from the origin to its place in `reach`, with its letter at the end. Dotted is what lies behind something.
+pub(in crate::figure) fn draw_behind(
+    sheet: &mut Sheet,
+    space: &Space,
+    axis: Axis,
+    reach: DVec3,
+    covers: &[&Primitive],
+) {
+    let ends = [DVec3::ZERO, axis.of(reach) * unit(axis)];
+    let [from, to] = ends.map(|end| space.place(end));
+    depth::arrow(sheet, space, Look::THIN, ends, covers);
+    sheet.label(space.frame, to, to - from, formula(letter(axis)));
 }
 
 /// Draws the coordinate plane across an axis as far as `reach`: its two axes, and two thin lines.
 pub(in crate::figure) fn draw_plane(sheet: &mut Sheet, space: &Space, across: Axis, reach: DVec3) {
+    draw_plane_behind(sheet, space, across, reach, &[]);
+}
+
+/// The same behind something.
+pub(in crate::figure) fn draw_plane_behind(
+    sheet: &mut Sheet,
+    space: &Space,
+    across: Axis,
+    reach: DVec3,
+    covers: &[&Primitive],
+) {
     let corner = foot(across, reach);
     for axis in [Axis::X, Axis::Y, Axis::Z] {
         if axis == across {
@@ -82,7 +100,7 @@ pub(in crate::figure) fn draw_plane(sheet: &mut Sheet, space: &Space, across: Ax
             space.place(edge * other),
             space.place(edge * corner),
         );
-        draw(sheet, space, axis, reach);
+        draw_behind(sheet, space, axis, reach, covers);
     }
 }
 

@@ -3,6 +3,7 @@
 pub(in crate::figure) mod angle;
 pub(in crate::figure) mod axes;
 pub(in crate::figure) mod bound;
+pub(in crate::figure) mod depth;
 pub(in crate::figure) mod disc;
 pub(in crate::figure) mod gathering;
 pub(in crate::figure) mod hatch;
@@ -12,6 +13,7 @@ pub(in crate::figure) mod outline;
 pub(in crate::figure) mod parabola;
 pub(in crate::figure) mod picture;
 pub(in crate::figure) mod plan;
+pub(in crate::figure) mod right_angle;
 pub(in crate::figure) mod scale_bar;
 pub(in crate::figure) mod scenery;
 pub(in crate::figure) mod slab_rows;

@@ -72,10 +72,12 @@ impl Outline {
                     axes: [DVec2::X, DVec2::Y].map(|axis| sphere.radius * axis),
                 },
                 ..Self::default()
-            },
+            }
+            .with_equator(sphere.center, DVec3::splat(sphere.radius), projection),
             Shape::Ellipsoid(egg) => {
                 let half_axes = DVec3::AXES.map(|axis| axis * egg.radii);
                 Self::of_half_axes(egg.center, half_axes, projection)
+                    .with_equator(egg.center, egg.radii, projection)
             }
             Shape::Box(solid) => Self::of_box(solid, projection),
             Shape::Cone(cone) => Self::of_cone(cone, projection),
@@ -84,6 +86,26 @@ impl Outline {
                 ..Self::default()
             },
         }
+    }
+
+    /// With the level great circle of a ball, where it is seen in space: its front half, and the one behind. A point of it
+    /// lies in front where its normal points towards who looks.
+    fn with_equator(mut self, center: DVec3, radii: DVec3, projection: &Projection) -> Self {
+        if !projection.in_space {
+            return self;
+        }
+        let towards = projection.towards();
+        // (x/a, z/c) = (cos, sin): the normal is (cos/a, 0, sin/c), and ends of the front half have none towards who looks
+        let start = libm::atan2(-towards.x / radii.x, towards.z / radii.z);
+        let half = |from: f64| {
+            let angle = |i: u32| from + f64::from(2 * i) / f64::from(POINTS) * TAU / 2.0;
+            let at = |angle: f64| DVec3::new(libm::cos(angle), 0.0, libm::sin(angle));
+            let points = (0..=POINTS / 2).map(|i| center + radii * at(angle(i)));
+            points.map(|point| projection.of(point)).collect()
+        };
+        self.edges.push(half(start));
+        self.hidden.push(half(start + TAU / 2.0));
+        self
     }
 
     /// The outline of an ellipsoid that is turned in any way.
@@ -235,8 +257,10 @@ pub(in crate::figure) fn hull(mut points: Vec<DVec2>) -> Vec<DVec2> {
 
 /// Draws an outline in a space, cut at its frame.
 pub(in crate::figure) fn draw(sheet: &mut Sheet, space: &Space, outline: &Outline, look: Look) {
+    /// Of the width of the rim: inner edges are lighter.
+    const EDGE: f64 = 0.64;
     rim(sheet, space, &outline.rim, look);
-    let line = look.outline();
+    let line = look.outline().wide(EDGE * look.width);
     for edge in &outline.edges {
         line_on(sheet, space, line, edge);
     }

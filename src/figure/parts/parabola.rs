@@ -31,7 +31,7 @@ pub(in crate::figure) fn roots(test: &QuadraticTest) -> Vec<(&'static str, Root)
 /// A root on a line: a point if it is the hit, else a cross.
 pub(in crate::figure) fn mark_root(sheet: &mut Sheet, root: Root, at: DVec2) {
     if root.verdict == RootVerdict::Chosen {
-        sheet.dot(Look::HIT, at);
+        sheet.dot(Look::ANSWER, at);
     } else {
         sheet.cross(Look::REJECTED, at);
     }

@@ -76,7 +76,7 @@ pub(in crate::figure) fn objects_met(
 ) {
     objects(figure, sheet, space, |id| {
         if met.contains(&id) && figure.shows(Layer::Hits) {
-            Look::HIT
+            Look::MET
         } else {
             Look::OBJECT
         }

@@ -14,7 +14,7 @@ use crate::structure::{SlabStep, SlabVerdict};
 /// What all slabs so far have in common.
 pub(in crate::figure) const COMMON: Look = Look {
     fill: Fill::Empty,
-    ..Look::HIT.wide(4.0)
+    ..Look::ANSWER.wide(4.0)
 };
 /// What one slab says.
 pub(in crate::figure) const OF_SLAB: Look = Look::VISITED.wide(1.25);

@@ -8,13 +8,14 @@
 use glam::{DVec2, DVec3};
 use svg::Document;
 use svg::node::element::{Description, Element, Group, Style, Title};
-use svg::node::{Node, Text as Letters};
+use svg::node::{Blob, Node, Text as Letters};
 
 use crate::explain::{MINUS, printable, shown};
 use crate::figure::sheet::frame::Frame;
 use crate::figure::sheet::labels::place_labels;
 use crate::figure::sheet::look::{Colour, Dash, FAINT, Fill, Look};
-use crate::figure::sheet::{Anchor, Form, Mark, Sheet, Words};
+use crate::figure::sheet::text::Run;
+use crate::figure::sheet::{Anchor, Form, Mark, Sheet, Since, Words};
 
 /// For whom a drawing is written.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -23,8 +24,29 @@ pub struct Rendition {
     pub grayscale: bool,
     /// No variables and no style sheet: plain colours on white, the same in any program.
     pub standalone: bool,
-    /// Nothing that a later step of the trace makes.
-    pub up_to: Option<u32>,
+    /// The title above the drawing.
+    pub titled: bool,
+    /// Nothing that comes later.
+    pub up_to: Option<UpTo>,
+}
+
+/// How far a drawing goes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum UpTo {
+    /// Up to a step of the trace.
+    Step(u32),
+    /// Up to a stage of the figure's argument, from 1.
+    Stage(u32),
+}
+
+impl UpTo {
+    /// Is something there that is drawn since then?
+    pub(in crate::figure) fn holds(self, since: Since) -> bool {
+        match self {
+            Self::Step(last) => since.step.is_none_or(|step| step <= last),
+            Self::Stage(last) => since.stage.is_none_or(|stage| stage.0 < last),
+        }
+    }
 }
 
 /// A drawing.
@@ -83,6 +105,11 @@ impl Canvas<'_> {
     /// What gives the elements the page's colours.
     fn rules(&self) -> String {
         let id = self.id;
+        let dark = |colours: &[Colour]| {
+            let rule =
+                |colour: &Colour| format!("{}: {}", colour.variable(), hexadecimal(colour.dark()));
+            colours.iter().map(rule).collect::<Vec<_>>().join("; ")
+        };
         let rules = Colour::ALL.map(|colour| {
             let (name, variable) = (colour.name(), colour.variable());
             let plain = hexadecimal(colour.plain());
@@ -91,12 +118,16 @@ impl Canvas<'_> {
                  .{id}_{name}-area {{ fill: var({variable}, {plain}) }}"
             )
         });
-        // who knows variables knows @supports; others keep the attributes. The dark colours are for a file
-        // that stands alone: a page around it has colours of its own
+        // who knows variables knows @supports; others keep the attributes. The accents have lighter variants in the dark
+        // themes of mdBook, which weigh nothing, so that any rule of a page comes before them; a file that stands alone
+        // follows its reader's scheme
         format!(
             "@supports (fill: var(--fg)) {{ {} }} \
-             @media (prefers-color-scheme: dark) {{ svg:root {{ --fg: #dddddd; --bg: #1b1e22 }} }}",
-            rules.join(" ")
+             :where(.coal, .navy, .ayu) {{ {} }} \
+             @media (prefers-color-scheme: dark) {{ svg:root {{ {} }} }}",
+            rules.join(" "),
+            dark(&Colour::ACCENTS),
+            dark(&Colour::ALL),
         )
     }
 
@@ -107,32 +138,65 @@ impl Canvas<'_> {
         element
     }
 
-    /// What is there from the beginning, then one group for each step that makes something.
+    /// What is there from the beginning, then one group for each stage and each step that makes something.
     fn groups(&self, sheet: &Sheet) -> Vec<Group> {
-        let marks = sheet.marks.iter().map(|mark| mark.step);
-        let mut steps: Vec<Option<u32>> =
-            marks.chain(sheet.words.iter().map(|of| of.step)).collect();
-        // without a step comes first
-        steps.sort_unstable();
-        steps.dedup();
-        let shown = |step: &Option<u32>| match (step, self.rendition.up_to) {
-            (Some(step), Some(last)) => *step <= last,
-            _ => true,
-        };
-        let group = |step: Option<u32>| {
+        let marks = sheet.marks.iter().map(|mark| mark.since);
+        let mut all: Vec<Since> = marks.chain(sheet.words.iter().map(|of| of.since)).collect();
+        // without a stage or a step comes first
+        all.sort_unstable();
+        all.dedup();
+        let shown = |since: &Since| self.rendition.up_to.is_none_or(|last| last.holds(*since));
+        let group = |since: Since| {
             let mut group = Group::new();
-            if let Some(step) = step {
+            if let Some(stage) = since.stage {
+                group.assign("data-stage", stage.0 + 1);
+            }
+            if let Some(step) = since.step {
                 group.assign("data-step", step);
             }
-            for mark in sheet.marks.iter().filter(|mark| mark.step == step) {
+            for mark in sheet.marks.iter().filter(|mark| mark.since == since) {
+                if mark.look.in_front
+                    && let Some(gap) = self.gap(mark, sheet.unit())
+                {
+                    group.append(gap);
+                }
                 group.append(self.mark(mark));
             }
-            for words in sheet.words.iter().filter(|words| words.step == step) {
+            for words in sheet.words.iter().filter(|words| words.since == since) {
                 group.append(self.words(words, sheet.letters));
             }
             group
         };
-        steps.into_iter().filter(shown).map(group).collect()
+        all.into_iter().filter(shown).map(group).collect()
+    }
+
+    /// The ground under a straight line that passes in front; what it begins and ends at keeps its lines.
+    fn gap(&self, mark: &Mark, unit: f64) -> Option<Element> {
+        /// So much is free on each side, in units of a book's sheet.
+        const SIDE: f64 = 2.25;
+        /// So much before its ends.
+        const END: f64 = 7.0;
+        let Form::Path { points, .. } = &mark.form else {
+            return None;
+        };
+        let [from, to] = points[..] else { return None };
+        let end = END * unit * (to - from).normalize_or_zero();
+        if (to - from).length() <= 2.0 * END * unit {
+            return None;
+        }
+        let look = Look {
+            width: mark.look.width + 2.0 * SIDE * unit,
+            ..Look::PAPER_LINE
+        };
+        let form = Form::Path {
+            points: vec![from + end, to - end],
+            closed: false,
+        };
+        Some(self.mark(&Mark {
+            look,
+            form,
+            ..*mark
+        }))
     }
 
     fn mark(&self, mark: &Mark) -> Element {
@@ -161,10 +225,9 @@ impl Canvas<'_> {
         element
     }
 
-    fn words(&self, words: &Words, usual: f64) -> Element {
+    fn words(&self, words: &Words, usual: f64) -> Blob {
         /// Half the height of a capital in sizes of the letter.
         const HALF_CAPITAL: f64 = 0.36;
-        // not the crate's own element for text, which puts line breaks around the letters
         let mut element = Element::new("text");
         element.assign("x", number(words.place.x));
         element.assign("y", number(words.place.y + HALF_CAPITAL * words.size));
@@ -177,8 +240,13 @@ impl Canvas<'_> {
             element.assign("font-size", number(words.size));
         }
         self.fill(&mut element, Colour::Ink);
-        element.append(Letters::new(allowed(&words.text)));
-        element
+        // the crate puts line breaks around the elements inside, and a line break in a text is a blank
+        let empty = element.to_string();
+        let start = empty.strip_suffix("/>").unwrap_or(&empty);
+        Blob::new(format!(
+            "{start}>{}</text>",
+            runs(&words.text.runs, words.size)
+        ))
     }
 
     fn look(&self, element: &mut Element, look: Look) {
@@ -208,6 +276,8 @@ impl Canvas<'_> {
             Dash::Dashed => pattern(&[4.0 * w, 3.0 * w]),
             Dash::Dotted => pattern(&[w, 2.0 * w]),
             Dash::Alternating => pattern(&[5.0 * w, 2.0 * w, w, 2.0 * w]),
+            Dash::TwoDots => pattern(&[5.0 * w, 2.0 * w, w, 1.5 * w, w, 2.0 * w]),
+            Dash::Long => pattern(&[9.0 * w, 2.0 * w]),
         };
         element.assign("stroke-dasharray", dashes);
     }
@@ -246,6 +316,34 @@ impl Canvas<'_> {
         let [r, g, b] = rgb.map(f64::from);
         [(0.299 * r + 0.587 * g + 0.114 * b).round() as u8; 3]
     }
+}
+
+/// The letters of a text, those that are set in another way inside `tspan`s.
+fn runs(runs: &[Run], size: f64) -> String {
+    let mut text = String::new();
+    // how far below the line the last letters stand
+    let mut below = 0.0;
+    for run in runs {
+        let letters = Letters::new(allowed(&run.letters));
+        let drop = run.level.drop() - below;
+        below = run.level.drop();
+        let mut attributes = String::new();
+        if drop != 0.0 {
+            attributes += &format!(" dy=\"{}\"", number(drop * size));
+        }
+        if run.level.size() != 1.0 {
+            attributes += &format!(" font-size=\"{}\"", number(run.level.size() * size));
+        }
+        if run.italic {
+            attributes += " font-style=\"italic\"";
+        }
+        if attributes.is_empty() {
+            text += &letters.to_string();
+        } else {
+            text += &format!("<tspan{attributes}>{letters}</tspan>");
+        }
+    }
+    text
 }
 
 fn path(points: &[DVec2], closed: bool) -> Element {
@@ -412,7 +510,7 @@ mod tests {
 
     #[test]
     fn a_later_step_is_left_out_and_moves_nothing() {
-        let drawn = |up_to| {
+        let drawn = |up_to: Option<u32>| {
             let mut sheet = Sheet::new(Width::Book, 100.0);
             for step in [7, 3] {
                 let place = DVec2::new(300.0, 50.0);
@@ -422,7 +520,7 @@ mod tests {
                 });
             }
             let rendition = Rendition {
-                up_to,
+                up_to: up_to.map(UpTo::Step),
                 ..Rendition::default()
             };
             Canvas::write(sheet, "a", ["", ""], rendition)
@@ -450,7 +548,7 @@ mod tests {
             },
         ] {
             let mut sheet = Sheet::new(Width::Book, 100.0);
-            sheet.rectangle(Look::HIT, sheet.body());
+            sheet.rectangle(Look::ANSWER, sheet.body());
             let svg = Canvas::write(sheet, "a", ["", ""], rendition);
             assert!(!svg.contains("var(") && !svg.contains("class="), "{svg}");
         }

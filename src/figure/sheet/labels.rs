@@ -10,10 +10,9 @@ use glam::DVec2;
 
 use crate::figure::parts::turn::at_angle;
 use crate::figure::sheet::buckets::Buckets;
-use crate::figure::sheet::font;
 use crate::figure::sheet::frame::Frame;
 use crate::figure::sheet::look::{Fill, Look};
-use crate::figure::sheet::{Anchor, Form, Label, Mark, Sheet, Words, letters_frame};
+use crate::figure::sheet::{Anchor, Form, Label, Mark, Sheet, Words};
 
 /// What labels keep away from.
 struct Obstacles {
@@ -50,13 +49,13 @@ pub(in crate::figure) fn place_labels(sheet: &mut Sheet) {
         obstacles.frames.push(place.frame);
         if let Some([from, to]) = place.leader {
             obstacles.lines.add([from, to]);
-            sheet.step(label.step, |sheet| {
+            sheet.since(label.since, |sheet| {
                 sheet.path(Look::THIN.wide(0.75), vec![from, to]);
             });
         }
-        let middle = letters_frame(0.0, 0.0, 0.0, label.size);
+        let middle = label.text.frame(Anchor::Middle, DVec2::ZERO, label.size);
         sheet.words.push(Words {
-            step: label.step,
+            since: label.since,
             place: DVec2::new(place.frame.middle().x, place.frame.min.y - middle.min.y),
             anchor: Anchor::Middle,
             size: label.size,
@@ -98,8 +97,7 @@ fn best_place(label: &Label, obstacles: &Obstacles, crowded: bool) -> Option<Can
 /// The places around a point, the best first.
 fn candidates(label: &Label) -> Vec<Candidate> {
     let size = label.size;
-    let width = font::text_width(&label.text) * size;
-    let letters = letters_frame(0.0, 0.0, width, size);
+    let letters = label.text.frame(Anchor::Start, DVec2::ZERO, size);
     let half = 0.5 * letters.size();
     if label.anywhere {
         // off the area's edges

@@ -16,19 +16,31 @@ pub(in crate::figure) enum Colour {
     Visited,
     /// Tested and refused.
     Rejected,
-    /// Met.
-    Hit,
+    /// The answer: the root that counts, the nearest hit, the interval that is left. Nothing else.
+    Answer,
+    /// Light on its way from a lamp, and where it arrives.
+    Light,
     /// Never looked at.
     Culled,
 }
 
 impl Colour {
-    pub(in crate::figure) const ALL: [Self; 6] = [
+    pub(in crate::figure) const ALL: [Self; 7] = [
         Self::Ink,
         Self::Paper,
         Self::Visited,
         Self::Rejected,
-        Self::Hit,
+        Self::Answer,
+        Self::Light,
+        Self::Culled,
+    ];
+
+    /// Those that are neither ink nor ground.
+    pub(in crate::figure) const ACCENTS: [Self; 5] = [
+        Self::Visited,
+        Self::Rejected,
+        Self::Answer,
+        Self::Light,
         Self::Culled,
     ];
 
@@ -39,7 +51,8 @@ impl Colour {
             Self::Paper => "paper",
             Self::Visited => "visited",
             Self::Rejected => "rejected",
-            Self::Hit => "hit",
+            Self::Answer => "answer",
+            Self::Light => "light",
             Self::Culled => "culled",
         }
     }
@@ -51,31 +64,47 @@ impl Colour {
             Self::Paper => "--bg",
             Self::Visited => "--raystep-visited",
             Self::Rejected => "--raystep-rejected",
-            Self::Hit => "--raystep-hit",
+            Self::Answer => "--raystep-answer",
+            Self::Light => "--raystep-light",
             Self::Culled => "--raystep-culled",
         }
     }
 
-    /// The colour where there are no variables: blue, orange, bluish green and grey, of which the first three
-    /// differ for all colour vision.
+    /// The colour where there are no variables: blue, vermilion, bluish green, amber and grey, of which the first three
+    /// differ for all colour vision, and the fourth by its pattern.
     pub(in crate::figure) fn plain(self) -> [u8; 3] {
         match self {
             Self::Ink => [0x22, 0x22, 0x22],
             Self::Paper => [0xff, 0xff, 0xff],
             Self::Visited => [0x2f, 0x7f, 0xc1],
             Self::Rejected => [0xc0, 0x5f, 0x14],
-            Self::Hit => [0x0f, 0x88, 0x68],
+            Self::Answer => [0x0f, 0x88, 0x68],
+            Self::Light => [0x94, 0x71, 0x00],
             Self::Culled => [0x7b, 0x7b, 0x7b],
+        }
+    }
+
+    /// The colour on a dark ground: the same hue, lighter.
+    pub(in crate::figure) fn dark(self) -> [u8; 3] {
+        match self {
+            Self::Ink => [0xdd, 0xdd, 0xdd],
+            Self::Paper => [0x1b, 0x1e, 0x22],
+            Self::Visited => [0x66, 0xae, 0xea],
+            Self::Rejected => [0xec, 0x8d, 0x4f],
+            Self::Answer => [0x3d, 0xc4, 0x9b],
+            Self::Light => [0xd4, 0xae, 0x3a],
+            Self::Culled => [0x93, 0x93, 0x93],
         }
     }
 
     /// The shade for print without colours.
     pub(in crate::figure) fn grey(self) -> [u8; 3] {
         let shade = match self {
-            Self::Ink | Self::Hit => 0x00,
+            Self::Ink | Self::Answer => 0x00,
             Self::Paper => 0xff,
             Self::Visited => 0x55,
             Self::Rejected => 0x66,
+            Self::Light => 0x48,
             Self::Culled => 0x80,
         };
         [shade; 3]
@@ -88,7 +117,12 @@ pub(in crate::figure) enum Dash {
     Solid,
     Dashed,
     Dotted,
+    /// A dash, a dot.
     Alternating,
+    /// A dash, two dots.
+    TwoDots,
+    /// Dashes that are long, with narrow gaps.
+    Long,
 }
 
 /// What an area is filled with.
@@ -113,6 +147,8 @@ pub(in crate::figure) struct Look {
     pub(in crate::figure) width: f64,
     pub(in crate::figure) dash: Dash,
     pub(in crate::figure) fill: Fill,
+    /// Does it pass in front? What lies below then ends a little before it.
+    pub(in crate::figure) in_front: bool,
 }
 
 impl Look {
@@ -122,6 +158,7 @@ impl Look {
             width,
             dash,
             fill: Fill::Empty,
+            in_front: false,
         }
     }
 
@@ -131,6 +168,7 @@ impl Look {
             width,
             dash,
             fill: Fill::Faint,
+            in_front: false,
         }
     }
 
@@ -152,24 +190,24 @@ impl Look {
     pub(in crate::figure) const SHADOW_RAY: Self = Self::line(Colour::Ink, 1.5, Dash::Dashed);
     /// A reflected ray.
     pub(in crate::figure) const REFLECTED_RAY: Self =
-        Self::line(Colour::Hit, 2.0, Dash::Alternating);
+        Self::line(Colour::Ink, 2.0, Dash::Alternating);
     /// A refracted ray.
-    pub(in crate::figure) const REFRACTED_RAY: Self =
-        Self::line(Colour::Visited, 2.0, Dash::Dashed);
+    pub(in crate::figure) const REFRACTED_RAY: Self = Self::line(Colour::Ink, 2.0, Dash::Long);
     /// A leg of a path of light.
-    pub(in crate::figure) const LIGHT_RAY: Self = Self::line(Colour::Rejected, 1.75, Dash::Solid);
+    pub(in crate::figure) const LIGHT_RAY: Self = Self::line(Colour::Light, 1.75, Dash::Solid);
     /// A leg of a path of light that leads to what nobody looks at.
-    pub(in crate::figure) const UNSEEN_LIGHT: Self =
-        Self::line(Colour::Rejected, 1.5, Dash::Dotted);
+    pub(in crate::figure) const UNSEEN_LIGHT: Self = Self::line(Colour::Light, 1.5, Dash::Dotted);
     /// A leg of a path of light that is wasted.
     pub(in crate::figure) const WASTED_LIGHT: Self = Self::line(Colour::Culled, 0.8, Dash::Dashed);
     /// A line between a path of light and one from the eye.
-    pub(in crate::figure) const CONNECTION: Self = Self::line(Colour::Visited, 1.25, Dash::Solid);
+    pub(in crate::figure) const CONNECTION: Self = Self::line(Colour::Visited, 1.5, Dash::TwoDots);
     /// Such a line with something between its ends.
     pub(in crate::figure) const BLOCKED_CONNECTION: Self =
-        Self::line(Colour::Visited, 1.25, Dash::Dashed);
-    /// What was hit.
-    pub(in crate::figure) const HIT: Self = Self::area(Colour::Hit, 2.5, Dash::Solid);
+        Self::line(Colour::Rejected, 1.25, Dash::Dashed);
+    /// The answer.
+    pub(in crate::figure) const ANSWER: Self = Self::area(Colour::Answer, 2.5, Dash::Solid);
+    /// What a ray meets on its way to the answer.
+    pub(in crate::figure) const MET: Self = Self::area(Colour::Ink, 2.25, Dash::Solid);
     /// What was tested and refused.
     pub(in crate::figure) const REJECTED: Self = Self::area(Colour::Rejected, 1.75, Dash::Dashed);
     /// What was looked at on the way.
@@ -199,6 +237,14 @@ impl Look {
         }
     }
 
+    /// In front of what was drawn before.
+    pub(in crate::figure) const fn in_front(self) -> Self {
+        Self {
+            in_front: true,
+            ..self
+        }
+    }
+
     /// With a line of another width.
     pub(in crate::figure) const fn wide(self, width: f64) -> Self {
         Self { width, ..self }
@@ -207,15 +253,39 @@ impl Look {
 
 /// mdBook's themes: the grounds and inks of light, rust, coal, navy and ayu (mdBook 0.5, `variables.css`).
 #[cfg(test)]
-const THEMES: [(&str, [u8; 3], [u8; 3]); 7] = [
-    ("light", [0xff, 0xff, 0xff], [0x00, 0x00, 0x00]),
-    ("rust", [0xe1, 0xe1, 0xdb], [0x26, 0x26, 0x25]),
-    ("coal", [0x13, 0x15, 0x16], [0x98, 0xa3, 0xad]),
-    ("navy", [0x16, 0x19, 0x23], [0xbc, 0xbd, 0xd0]),
-    ("ayu", [0x0f, 0x14, 0x19], [0xc5, 0xc5, 0xc5]),
-    ("alone", [0xff, 0xff, 0xff], [0x22, 0x22, 0x22]),
-    ("alone, dark", [0x1b, 0x1e, 0x22], [0xdd, 0xdd, 0xdd]),
+const THEMES: [(&str, [u8; 3], [u8; 3], Shades); 7] = [
+    (
+        "light",
+        [0xff, 0xff, 0xff],
+        [0x00, 0x00, 0x00],
+        Colour::plain,
+    ),
+    (
+        "rust",
+        [0xe1, 0xe1, 0xdb],
+        [0x26, 0x26, 0x25],
+        Colour::plain,
+    ),
+    ("coal", [0x13, 0x15, 0x16], [0x98, 0xa3, 0xad], Colour::dark),
+    ("navy", [0x16, 0x19, 0x23], [0xbc, 0xbd, 0xd0], Colour::dark),
+    ("ayu", [0x0f, 0x14, 0x19], [0xc5, 0xc5, 0xc5], Colour::dark),
+    (
+        "alone",
+        [0xff, 0xff, 0xff],
+        [0x22, 0x22, 0x22],
+        Colour::plain,
+    ),
+    (
+        "alone, dark",
+        [0x1b, 0x1e, 0x22],
+        [0xdd, 0xdd, 0xdd],
+        Colour::dark,
+    ),
 ];
+
+/// Which shade a colour has in a theme.
+#[cfg(test)]
+type Shades = fn(Colour) -> [u8; 3];
 
 #[cfg(test)]
 mod tests {
@@ -242,10 +312,11 @@ mod tests {
         std::array::from_fn(|i| ground[i] + share * (colour[i] - ground[i]))
     }
 
-    const LINES: [Colour; 4] = [
+    const LINES: [Colour; 5] = [
         Colour::Visited,
         Colour::Rejected,
-        Colour::Hit,
+        Colour::Answer,
+        Colour::Light,
         Colour::Culled,
     ];
 
@@ -256,12 +327,12 @@ mod tests {
 
     #[test]
     fn lines_have_a_contrast_of_3_in_every_theme() {
-        for (theme, ground, ink) in THEMES {
+        for (theme, ground, ink, shade) in THEMES {
             let ground = ground.map(f64::from);
             let found = contrast(ground, ink.map(f64::from));
             assert!(4.5 <= found, "{theme}: ink {found}");
             for colour in LINES {
-                let found = contrast(ground, colour.plain().map(f64::from));
+                let found = contrast(ground, shade(colour).map(f64::from));
                 assert!(3.0 <= found, "{theme}: {colour:?} {found}");
             }
         }
@@ -273,9 +344,9 @@ mod tests {
 
     #[test]
     fn letters_on_faint_areas_have_a_contrast_of_4_5_in_every_theme() {
-        for (theme, ground, ink) in THEMES {
+        for (theme, ground, ink, shade) in THEMES {
             let (ground, ink) = (ground.map(f64::from), ink.map(f64::from));
-            let colours = LINES.map(|colour| colour.plain().map(f64::from));
+            let colours = LINES.map(|colour| shade(colour).map(f64::from));
             for colour in colours.into_iter().chain([ink]) {
                 // two areas above each other
                 let once = mixed(ground, colour, FAINT);

@@ -13,6 +13,8 @@ pub(in crate::figure) mod look;
     reason = "the file is found by the name of its idea"
 )]
 pub(crate) mod sheet;
+pub(in crate::figure) mod stage;
+pub(in crate::figure) mod text;
 
 pub(crate) use sheet::Width;
-pub(in crate::figure) use sheet::{Anchor, Form, Label, Mark, Sheet, Words, letters_frame};
+pub(in crate::figure) use sheet::{Anchor, Form, Label, Mark, Sheet, Since, Words};

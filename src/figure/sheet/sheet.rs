@@ -6,9 +6,10 @@
 
 use glam::DVec2;
 
-use crate::figure::sheet::font;
 use crate::figure::sheet::frame::Frame;
 use crate::figure::sheet::look::Look;
+use crate::figure::sheet::stage::{Stage, StageId, StageName};
+use crate::figure::sheet::text::Text;
 
 /// Which point of a line of letters is placed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -40,11 +41,19 @@ pub(in crate::figure) enum Form {
     Patch { points: Vec<DVec2>, rgb: [u8; 3] },
 }
 
+/// Since when something is there. It orders what is drawn: what comes later lies above.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+pub(in crate::figure) struct Since {
+    /// The stage of the argument; `None` for what is there before the first.
+    pub(in crate::figure) stage: Option<StageId>,
+    /// The step of the trace that makes it; `None` for what is there before.
+    pub(in crate::figure) step: Option<u32>,
+}
+
 /// Something drawn.
 #[derive(Clone, Debug, PartialEq)]
 pub(in crate::figure) struct Mark {
-    /// The step of the trace that makes it; `None` for what is there before.
-    pub(in crate::figure) step: Option<u32>,
+    pub(in crate::figure) since: Since,
     pub(in crate::figure) look: Look,
     pub(in crate::figure) form: Form,
 }
@@ -52,8 +61,8 @@ pub(in crate::figure) struct Mark {
 /// A line of letters at its place.
 #[derive(Clone, Debug, PartialEq)]
 pub(in crate::figure) struct Words {
-    pub(in crate::figure) step: Option<u32>,
-    pub(in crate::figure) text: String,
+    pub(in crate::figure) since: Since,
+    pub(in crate::figure) text: Text,
     /// The anchor's point, at half the height of a capital.
     pub(in crate::figure) place: DVec2,
     pub(in crate::figure) anchor: Anchor,
@@ -64,8 +73,8 @@ pub(in crate::figure) struct Words {
 /// A line of letters that belongs to a point and is still to be placed.
 #[derive(Clone, Debug, PartialEq)]
 pub(in crate::figure) struct Label {
-    pub(in crate::figure) step: Option<u32>,
-    pub(in crate::figure) text: String,
+    pub(in crate::figure) since: Since,
+    pub(in crate::figure) text: Text,
     /// What it names.
     pub(in crate::figure) of: DVec2,
     /// Where it stands best, seen from there.
@@ -85,45 +94,31 @@ pub enum Width {
     /// A column of a book: 760 units wide, letters of 14, as high as the figure needs.
     #[default]
     Book,
-    /// A slide of 16 : 9: 1280 × 720 units, letters of 24.
+    /// A slide of 16 : 9: 1280 × 720 units, letters of 32.
     Slide,
 }
 
 /// A sheet that is being drawn on.
 #[derive(Clone, Debug)]
 pub(in crate::figure) struct Sheet {
+    /// For what it is drawn.
+    pub(in crate::figure) width: Width,
     pub(in crate::figure) size: DVec2,
     /// Size of letters.
     pub(in crate::figure) letters: f64,
     pub(in crate::figure) marks: Vec<Mark>,
     pub(in crate::figure) words: Vec<Words>,
     pub(in crate::figure) labels: Vec<Label>,
-    step: Option<u32>,
+    /// The stages of its argument, in their order.
+    pub(in crate::figure) stages: Vec<Stage>,
+    since: Since,
     cut: Option<Frame>,
 }
 
 impl Words {
     /// The rectangle that the letters fill.
     pub(in crate::figure) fn frame(&self) -> Frame {
-        let width = font::text_width(&self.text) * self.size;
-        let left = match self.anchor {
-            Anchor::Start => self.place.x,
-            Anchor::Middle => self.place.x - 0.5 * width,
-            Anchor::End => self.place.x - width,
-        };
-        letters_frame(left, self.place.y, width, self.size)
-    }
-}
-
-/// The rectangle of a line of letters, by its left end and the middle of its capitals.
-pub(in crate::figure) fn letters_frame(left: f64, middle: f64, width: f64, size: f64) -> Frame {
-    /// From the middle of a capital up and down, in sizes: ascenders reach 0.76 above the line, descenders 0.24
-    /// below it (DejaVu Sans), and a capital's middle is 0.36 above.
-    const UP: f64 = 0.42;
-    const DOWN: f64 = 0.6;
-    Frame {
-        min: DVec2::new(left, middle - UP * size),
-        max: DVec2::new(left + width, middle + DOWN * size),
+        self.text.frame(self.anchor, self.place, self.size)
     }
 }
 
@@ -132,15 +127,17 @@ impl Sheet {
     pub(in crate::figure) fn new(width: Width, height: f64) -> Self {
         let (size, letters) = match width {
             Width::Book => (DVec2::new(760.0, height), 14.0),
-            Width::Slide => (DVec2::new(1280.0, 720.0), 24.0),
+            Width::Slide => (DVec2::new(1280.0, 720.0), 32.0),
         };
         Self {
+            width,
             size,
             letters,
             marks: Vec::new(),
             words: Vec::new(),
             labels: Vec::new(),
-            step: None,
+            stages: Vec::new(),
+            since: Since::default(),
             cut: None,
         }
     }
@@ -160,9 +157,52 @@ impl Sheet {
         step: impl Into<Option<u32>>,
         draw: impl FnOnce(&mut Self) -> T,
     ) -> T {
-        let before = std::mem::replace(&mut self.step, step.into());
+        let since = Since {
+            step: step.into(),
+            ..self.since
+        };
+        self.since(since, draw)
+    }
+
+    /// The next stage of the figure's argument: its name, the last step of the trace that it needs, and what it says, as one
+    /// sentence. What belongs to it is drawn with [`at`](Self::at), in any order.
+    pub(in crate::figure) fn stage(
+        &mut self,
+        name: impl Into<StageName>,
+        step: impl Into<Option<u32>>,
+        sentence: impl Into<String>,
+    ) -> StageId {
+        self.stages.push(Stage {
+            name: name.into(),
+            step: step.into(),
+            sentence: sentence.into(),
+        });
+        StageId(self.stages.len() as u32 - 1)
+    }
+
+    /// What is drawn inside belongs to a stage, and, where it has one, to its step of the trace.
+    pub(in crate::figure) fn at<T>(
+        &mut self,
+        stage: StageId,
+        draw: impl FnOnce(&mut Self) -> T,
+    ) -> T {
+        let step = self.stages.get(stage.0 as usize).and_then(|of| of.step);
+        let since = Since {
+            stage: Some(stage),
+            step: step.or(self.since.step),
+        };
+        self.since(since, draw)
+    }
+
+    /// What is drawn inside is there since then.
+    pub(in crate::figure) fn since<T>(
+        &mut self,
+        since: Since,
+        draw: impl FnOnce(&mut Self) -> T,
+    ) -> T {
+        let before = std::mem::replace(&mut self.since, since);
         let drawn = draw(self);
-        self.step = before;
+        self.since = before;
         drawn
     }
 
@@ -203,7 +243,7 @@ impl Sheet {
     pub(in crate::figure) fn mark(&mut self, look: Look, form: Form) {
         let look = self.grown(look);
         self.marks.push(Mark {
-            step: self.step,
+            since: self.since,
             look,
             form,
         });
@@ -257,6 +297,11 @@ impl Sheet {
         self.circle(look.inside().full(), at, 4.0 * self.unit());
     }
 
+    /// A point that nothing is said about yet.
+    pub(in crate::figure) fn small_dot(&mut self, look: Look, at: DVec2) {
+        self.circle(look.inside().full(), at, 2.5 * self.unit());
+    }
+
     /// A point that does not count: a ring.
     pub(in crate::figure) fn ring(&mut self, look: Look, at: DVec2) {
         let look = Look {
@@ -304,14 +349,9 @@ impl Sheet {
     }
 
     /// Letters at a fixed place, in height around it.
-    pub(in crate::figure) fn text(
-        &mut self,
-        anchor: Anchor,
-        place: DVec2,
-        text: impl Into<String>,
-    ) {
+    pub(in crate::figure) fn text(&mut self, anchor: Anchor, place: DVec2, text: impl Into<Text>) {
         self.words.push(Words {
-            step: self.step,
+            since: self.since,
             text: text.into(),
             place,
             anchor,
@@ -320,13 +360,41 @@ impl Sheet {
     }
 
     /// Lines of letters at the upper edge of a frame; gives back the frame that is left below them.
-    pub(in crate::figure) fn lines(&mut self, frame: Frame, texts: &[String]) -> Frame {
+    pub(in crate::figure) fn lines<T: Clone + Into<Text>>(
+        &mut self,
+        frame: Frame,
+        texts: &[T],
+    ) -> Frame {
         let height = self.line_height();
-        for (line, text) in texts.iter().enumerate() {
-            let down = DVec2::new(0.0, (line as f64 + 0.5) * height);
-            self.text(Anchor::Start, frame.min + down, text.as_str());
+        let room = frame.size().x / self.letters;
+        let wrapped = texts.iter().flat_map(|of| of.clone().into().wrapped(room));
+        let mut count = 0.0;
+        for text in wrapped {
+            let down = DVec2::new(0.0, (count + 0.5) * height);
+            self.text(Anchor::Start, frame.min + down, text);
+            count += 1.0;
         }
-        let [_, rest] = frame.split_top((texts.len() as f64 + 0.4) * height);
+        let [_, rest] = frame.split_top((count + 0.4) * height);
+        rest
+    }
+
+    /// A title at the upper edge of a frame, in larger letters; gives back the frame that is left below it.
+    pub(in crate::figure) fn heading(&mut self, frame: Frame, title: &str) -> Frame {
+        /// Against the other letters.
+        const SIZE: f64 = 1.2;
+        let size = SIZE * self.letters;
+        let lines = Text::from(title).wrapped(frame.size().x / size);
+        let count = lines.len() as f64;
+        for (line, text) in lines.into_iter().enumerate() {
+            self.words.push(Words {
+                since: Since::default(),
+                text,
+                place: frame.min + DVec2::new(0.0, (line as f64 + 0.5) * 1.3 * size),
+                anchor: Anchor::Start,
+                size,
+            });
+        }
+        let [_, rest] = frame.split_top((count + 0.3) * 1.3 * size);
         rest
     }
 
@@ -336,13 +404,13 @@ impl Sheet {
         within: Frame,
         of: DVec2,
         towards: DVec2,
-        text: impl Into<String>,
+        text: impl Into<Text>,
     ) {
         if self.is_cut_off(of) {
             return;
         }
         self.labels.push(Label {
-            step: self.step,
+            since: self.since,
             text: text.into(),
             of,
             towards,
@@ -359,7 +427,7 @@ impl Sheet {
         within: Frame,
         of: DVec2,
         towards: DVec2,
-        text: impl Into<String>,
+        text: impl Into<Text>,
     ) {
         self.label(within, of, towards, text);
         if let Some(label) = self.labels.last_mut() {
@@ -368,9 +436,9 @@ impl Sheet {
     }
 
     /// A label of an area, anywhere in it: in its upper left corner if that is free.
-    pub(in crate::figure) fn label_in(&mut self, area: Frame, text: impl Into<String>) {
+    pub(in crate::figure) fn label_in(&mut self, area: Frame, text: impl Into<Text>) {
         self.labels.push(Label {
-            step: self.step,
+            since: self.since,
             text: text.into(),
             of: area.min,
             towards: DVec2::ONE,
@@ -382,8 +450,8 @@ impl Sheet {
     }
 
     /// How wide a text is on this sheet.
-    pub(in crate::figure) fn width_of(&self, text: &str) -> f64 {
-        font::text_width(text) * self.letters
+    pub(in crate::figure) fn width_of(&self, text: impl Into<Text>) -> f64 {
+        text.into().width() * self.letters
     }
 
     /// From one line of letters to the next.
@@ -392,13 +460,18 @@ impl Sheet {
     }
 
     /// Says what looks mean, in lines at the lower edge of a frame, and gives back the frame that is left.
-    pub(in crate::figure) fn legend(&mut self, frame: Frame, entries: &[(Look, &str)]) -> Frame {
+    pub(in crate::figure) fn legend<T: Clone + Into<Text>>(
+        &mut self,
+        frame: Frame,
+        entries: &[(Look, T)],
+    ) -> Frame {
         let swatch = 2.0 * self.letters;
         let gap = 0.5 * self.letters;
-        let mut lines: Vec<Vec<(Look, &str, f64)>> = vec![Vec::new()];
+        let mut lines: Vec<Vec<(Look, Text, f64)>> = vec![Vec::new()];
         let mut x = 0.0;
-        for &(look, text) in entries {
-            let width = swatch + gap + self.width_of(text);
+        for (look, text) in entries {
+            let (look, text) = (*look, text.clone().into());
+            let width = swatch + gap + self.width_of(&text);
             if 0.0 < x && frame.size().x < x + width {
                 lines.push(Vec::new());
                 x = 0.0;
@@ -412,7 +485,8 @@ impl Sheet {
         let top = frame.max.y - height;
         for (row, line) in lines.iter().enumerate() {
             let middle = top + (row as f64 + 0.5) * self.line_height();
-            for &(look, text, x) in line {
+            for (look, text, x) in line {
+                let look = *look;
                 let left = frame.min.x + x;
                 let half = if look.fill == crate::figure::sheet::look::Fill::Empty {
                     0.0

@@ -2,12 +2,16 @@
 
 use glam::{DVec2, DVec3};
 
+use crate::explain::Part;
 use crate::figure::kinds::polygon::tested::Tested;
+use crate::figure::parts::depth;
 use crate::figure::parts::outline::{self, Rim};
+use crate::figure::parts::right_angle;
 use crate::figure::sheet::Sheet;
 use crate::figure::sheet::canvas::quantity;
 use crate::figure::sheet::frame::Frame;
 use crate::figure::sheet::look::Look;
+use crate::figure::sheet::text::formula;
 use crate::figure::subject::Figure;
 use crate::geometry::PlaneVerdict;
 
@@ -29,56 +33,103 @@ pub(super) fn draw(
         "0".into()
     };
     let so = if is_beside {
-        "no t in (v): the ray is parallel, beside the plane"
+        "in (v): the ray is parallel to the plane, and beside it"
     } else {
-        "no t in (v): the ray lies in the plane"
+        "in (v): the ray lies in the plane"
     };
     let equations = [
-        "A·Δx + B·Δy + C·Δz = 0".into(),
-        format!("A·x₀ + B·y₀ + C·z₀ + D = {numerator}"),
-        so.into(),
+        formula("A·Δx + B·Δy + C·Δz = 0"),
+        formula("A·x₀ + B·y₀ + C·z₀ + D = ") + &numerator,
+        formula("no ") + formula("t ") + so,
     ];
-    let drawing = sheet.step(step, |sheet| sheet.lines(frame, &equations));
+    let starts = sheet.stage(
+        Part::Ray,
+        tested.starts,
+        format!("The ray R starts at the COP and goes past the polygon {name}."),
+    );
+    let argument = sheet.stage(
+        Part::PlaneT,
+        step,
+        if is_beside {
+            format!(
+                "R keeps the same distance from the plane, {}: the denominator of (v) is 0, and there is no t.",
+                quantity(test.numerator.abs())
+            )
+        } else {
+            "R lies in the plane: the denominator of (v) is 0, and there is no t.".into()
+        },
+    );
+    let drawing = sheet.at(argument, |sheet| sheet.lines(frame, &equations));
 
     // the foot of the ray's origin on the plane, and of the last point of the ray that is drawn
     let down = -test.numerator * normal;
     let middle = polygon.vertices().sum::<DVec3>() / polygon.vertices().len() as f64;
+    let cover = [figure.scene.primitive(tested.id)];
     let furthest = polygon
         .vertices()
         .map(|vertex| (vertex - ray.origin).dot(ray.direction))
         .fold(0.0, f64::max);
     let end = ray.at(1.15 * furthest);
-    let points = [
-        ray.origin,
-        ray.origin + down,
-        end,
-        end + down,
-        middle + normal,
+    // the plane as a parallelogram along the ray, around the polygon and the feet
+    let across = normal.cross(ray.direction).normalize_or_zero();
+    let aside = |point: DVec3| (point - ray.origin).dot(across);
+    let sides = polygon.vertices().chain([ray.origin]).map(aside);
+    let [low, high] = sides.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], at| {
+        [low.min(at), high.max(at)]
+    });
+    let room = 0.08 * (high - low);
+    let corner = |foot: DVec3, at: f64| foot + at * across;
+    let plane = [
+        corner(ray.origin + down, low - room),
+        corner(end + down, low - room),
+        corner(end + down, high + room),
+        corner(ray.origin + down, high + room),
     ];
+    let points = [ray.origin, end, middle + normal];
+    let points = points.into_iter().chain(plane);
     let space = figure.space(drawing, polygon.vertices().chain(points));
     sheet.within(drawing, |sheet| {
         let place = |point| space.place(point);
         let seen = |point| space.projection.of(point);
 
         let rim = Rim::Points(polygon.vertices().map(seen).collect());
+        let sheet_of_plane = Rim::Points(plane.map(seen).into());
+        outline::rim(sheet, &space, &sheet_of_plane, Look::HELP.wide(0.75));
         outline::rim(sheet, &space, &rim, Look::OBJECT);
         let tip = place(middle + normal);
         sheet.arrow(Look::THIN, place(middle), tip);
-        sheet.label(drawing, tip, tip - place(middle), "(A, B, C)");
-        sheet.step(tested.starts, |sheet| {
-            sheet.arrow(Look::RAY, place(ray.origin), place(end));
+        sheet.label(drawing, tip, tip - place(middle), formula("(A, B, C)"));
+        right_angle::draw(sheet, &space, middle, [normal, ray.direction]);
+        sheet.at(starts, |sheet| {
+            depth::arrow(
+                sheet,
+                &space,
+                Look::RAY.in_front(),
+                [ray.origin, end],
+                &cover,
+            );
             sheet.dot(Look::RAY, place(ray.origin));
             sheet.label(drawing, place(ray.origin), DVec2::NEG_Y, "COP");
             let third = place(ray.origin).lerp(place(end), 0.3);
-            sheet.label(drawing, third, DVec2::NEG_Y, "R");
+            sheet.label(drawing, third, DVec2::NEG_Y, formula("R"));
         });
-        sheet.step(step, |sheet| {
+        sheet.at(argument, |sheet| {
             if is_beside {
-                let feet = [ray.origin + down, end + down].map(place);
-                sheet.line(Look::LINE_OF_RAY, feet[0], feet[1]);
-                sheet.line(Look::HELP, place(ray.origin), feet[0]);
-                sheet.line(Look::HELP, place(end), feet[1]);
-                let half = place(ray.origin).midpoint(feet[0]);
+                let feet = [ray.origin + down, end + down];
+                sheet.line(Look::LINE_OF_RAY, place(feet[0]), place(feet[1]));
+                for (from, foot, along) in [
+                    (ray.origin, feet[0], ray.direction),
+                    (end, feet[1], -ray.direction),
+                ] {
+                    depth::line(sheet, &space, Look::HELP, [from, foot], &cover);
+                    right_angle::draw(
+                        sheet,
+                        &space,
+                        foot,
+                        [normal * test.numerator.signum(), along],
+                    );
+                }
+                let half = place(ray.origin).midpoint(place(feet[0]));
                 sheet.label(drawing, half, DVec2::NEG_X, numerator);
             }
         });

@@ -4,6 +4,7 @@
 //! With `drop` the projection is along another axis than the test's, which makes it smaller: its area is that of the
 //! polygon times |A|, |B| or |C|. A ray parallel to the plane is drawn with the distance that it keeps.
 
+mod argument;
 mod beside_plane;
 mod in_space;
 mod tested;
@@ -11,12 +12,13 @@ mod true_shape;
 
 use crate::figure::error::FigureError;
 use crate::figure::kind::Kind;
+use crate::figure::kinds::polygon::argument::Argument;
 use crate::figure::kinds::polygon::tested::{Tested, verdict};
 use crate::figure::parts::axes;
 use crate::figure::parts::scenery;
-use crate::figure::sheet::Sheet;
 use crate::figure::sheet::canvas::quantity;
 use crate::figure::sheet::frame::Frame;
+use crate::figure::sheet::{Sheet, Width};
 use crate::figure::spec::{DroppedAxis, Layer};
 use crate::figure::subject::Figure;
 use crate::geometry::Axis;
@@ -36,19 +38,23 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
     };
     let chosen = test.dropped;
     let along = figure.spec.drop.map_or(chosen, axis_of);
+    let argument = Argument::new(sheet, &tested, &name, along);
     let mut left = body;
     if figure.shows(Layer::Projection) {
-        /// Of the width: the drawing in space comes first.
-        const SHARE: f64 = 0.6;
-        let [space, flat] = body.split(SHARE, 2.0 * sheet.letters);
+        // the drawing in space comes first; the letters of a slide need a wider column beside it
+        let share = match sheet.width {
+            Width::Book => 0.56,
+            Width::Slide => 0.5,
+        };
+        let [space, flat] = body.split(share, 2.0 * sheet.letters);
         if along == chosen {
-            true_shape::draw(sheet, flat, &tested);
+            true_shape::draw(sheet, flat, &tested, &argument);
         } else {
-            true_shape::draw_two(sheet, flat, &tested, along);
+            true_shape::draw_two(sheet, flat, &tested, along, &argument);
         }
         left = space;
     }
-    in_space::draw(figure, sheet, left, &tested, along);
+    in_space::draw(figure, sheet, left, &tested, along, &argument);
 
     let compared = if along == chosen {
         String::new()

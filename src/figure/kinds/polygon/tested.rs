@@ -96,7 +96,7 @@ impl<'a> Tested<'a> {
 
     /// The largest coordinates of the polygon, with some room beyond: so far the axes are drawn.
     pub(super) fn reach(&self) -> DVec3 {
-        const ROOM: f64 = 1.12;
+        const ROOM: f64 = 1.2;
         let largest = self.polygon.vertices().fold(DVec3::ZERO, DVec3::max);
         ROOM * largest.max(DVec3::splat(0.5 * largest.max_element()))
     }
@@ -105,7 +105,7 @@ impl<'a> Tested<'a> {
 /// p or p′: a point if it is inside, else a cross.
 pub(super) fn mark(sheet: &mut Sheet, inside: bool, at: DVec2) {
     if inside {
-        sheet.dot(Look::HIT, at);
+        sheet.dot(Look::ANSWER, at);
     } else {
         sheet.cross(Look::REJECTED, at);
     }

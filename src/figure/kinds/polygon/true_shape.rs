@@ -3,32 +3,28 @@
 
 use glam::{DVec2, DVec3};
 
+use crate::figure::kinds::polygon::argument::Argument;
 use crate::figure::kinds::polygon::tested::{Tested, mark, verdict};
 use crate::figure::parts::axes;
 use crate::figure::sheet::Sheet;
 use crate::figure::sheet::canvas::quantity;
 use crate::figure::sheet::frame::Frame;
 use crate::figure::sheet::look::Look;
+use crate::figure::sheet::text::{Text, formula};
 use crate::figure::view::Space;
 use crate::geometry::{Axis, EdgeTest};
 
 /// The projected polygon in true shape, the half-line from p′, and the edges that count.
-pub(super) fn draw(sheet: &mut Sheet, frame: Frame, tested: &Tested) {
-    let Some((test, step)) = tested.point else {
+pub(super) fn draw(sheet: &mut Sheet, frame: Frame, tested: &Tested, argument: &Argument) {
+    let Some((test, _)) = tested.point else {
         return;
     };
     let axis = test.dropped;
-    let (letter, name) = (axes::letter(axis), axes::coefficient(axis));
-    let largest = quantity(test.coefficient.abs());
-    let height = sheet.line_height();
-    let [upper, rest] = frame.split_top(height);
-    let [lower, panel] = rest.split_top(1.4 * height);
-    sheet.step(tested.plane.1, |sheet| {
-        let drop = format!("|{name}| = {largest} is the largest: drop {letter}");
-        sheet.lines(upper, &[drop]);
+    let rest = sheet.at(argument.axis, |sheet| {
+        sheet.lines(frame, &choice(tested, axis))
     });
-    sheet.step(step, |sheet| {
-        sheet.lines(lower, &[verdict(&test)]);
+    let panel = sheet.at(argument.verdict, |sheet| {
+        sheet.lines(rest, &[verdict(&test)])
     });
 
     let reach = tested.reach();
@@ -49,34 +45,48 @@ pub(super) fn draw(sheet: &mut Sheet, frame: Frame, tested: &Tested) {
     );
     let place = |at: DVec2| space.place(axes::on_plane(axis, at));
 
-    axes::draw_plane(sheet, &space, axis, reach);
-    sheet.polygon(Look::OBJECT, outline.iter().map(|at| place(*at)).collect());
-    let first = tested.edges.first().map_or(step, |(_, step)| *step);
-    sheet.step(first, |sheet| {
+    let along = place(end) - place(p);
+    sheet.at(argument.projection, |sheet| {
+        axes::draw_plane(sheet, &space, axis, reach);
+        sheet.polygon(Look::OBJECT, outline.iter().map(|at| place(*at)).collect());
+        sheet.small_dot(Look::RAY, place(p));
+        sheet.label(panel, place(p), -along, formula("p′"));
+    });
+    sheet.at(argument.crossing(0), |sheet| {
         sheet.arrow(Look::RAY.wide(1.25), place(p), place(end));
-        let along = place(end) - place(p);
-        sheet.label(panel, place(p), -along, "p′");
-        let counted = tested.edges.iter().filter(|(edge, _)| edge.counts);
-        let mut crossings: Vec<(DVec2, u32)> = Vec::new();
-        for (edge, step) in counted {
-            sheet.step(*step, |sheet| {
+    });
+    let counted = tested.edges.iter().filter(|(edge, _)| edge.counts);
+    let mut crossings: Vec<(DVec2, EdgeTest, u32)> = counted
+        .filter_map(|(edge, step)| Some((level_with(edge, p)?, *edge, *step)))
+        .collect();
+    // counted from p′ on, not in the order of the edges
+    crossings.sort_by(|(a, ..), (b, ..)| a.x.total_cmp(&b.x));
+    for (number, (at, edge, step)) in crossings.into_iter().enumerate() {
+        sheet.at(argument.crossing(number), |sheet| {
+            sheet.step(step, |sheet| {
                 let line = Look::VISITED.outline().wide(3.0);
                 sheet.line(line, place(edge.from), place(edge.to));
-                crossings.extend(level_with(edge, p).map(|at| (at, *step)));
-            });
-        }
-        // counted from p′ on, not in the order of the edges
-        crossings.sort_by(|(a, _), (b, _)| a.x.total_cmp(&b.x));
-        for (number, (at, step)) in (1..).zip(crossings) {
-            sheet.step(step, |sheet| {
                 sheet.dot(Look::VISITED, place(at));
-                sheet.label(panel, place(at), along + along.perp(), format!("{number}"));
             });
-        }
-    });
-    sheet.step(step, |sheet| {
+            // which number it is shows when all edges are looked at
+            let number = format!("{}", number + 1);
+            sheet.label(panel, place(at), along + along.perp(), number);
+        });
+    }
+    sheet.at(argument.verdict, |sheet| {
         mark(sheet, test.inside, place(p));
     });
+}
+
+/// |A|, |B| and |C|, and which coordinate that drops.
+fn choice(tested: &Tested, dropped: Axis) -> [Text; 2] {
+    let normal = tested.plane.0.plane.normal.abs();
+    let [a, b, c] = normal.to_array().map(quantity);
+    let (letter, name) = (axes::letter(dropped), axes::coefficient(dropped));
+    [
+        formula("|A|, |B|, |C| = ") + format!("{a}, {b}, {c}"),
+        formula(&format!("|{name}|")) + " is the largest: drop " + formula(letter),
+    ]
 }
 
 /// The point of an edge that the half-line from p′ runs through; none on an edge that is parallel to it.
@@ -87,20 +97,26 @@ fn level_with(edge: &EdgeTest, p: DVec2) -> Option<DVec2> {
 }
 
 /// The projection along the axis that the test chose, and along another one, equally large.
-pub(super) fn draw_two(sheet: &mut Sheet, frame: Frame, tested: &Tested, other: Axis) {
-    let Some((test, step)) = tested.point else {
+pub(super) fn draw_two(
+    sheet: &mut Sheet,
+    frame: Frame,
+    tested: &Tested,
+    other: Axis,
+    argument: &Argument,
+) {
+    let Some((test, _)) = tested.point else {
         return;
     };
     let normal = tested.plane.0.plane.normal;
     let half = 0.5 * frame.size().y;
     let parts = [test.dropped, other].into_iter().zip(frame.split_top(half));
-    sheet.step(step, |sheet| {
+    sheet.at(argument.projection, |sheet| {
         let panels: Vec<(Axis, Frame, Space)> = parts
             .map(|(axis, part)| {
                 let (letter, name) = (axes::letter(axis), axes::coefficient(axis));
                 let share = quantity(axis.of(normal).abs());
-                let text = format!("{letter} dropped: |{name}| = {share} of the area");
-                let panel = sheet.lines(part, &[text]);
+                let text = formula(letter) + " dropped: " + formula(&format!("|{name}| = "));
+                let panel = sheet.lines(part, &[text + share + " of the area"]);
                 let feet = tested.polygon.vertices().map(|v| axes::foot(axis, v));
                 (
                     axis,
@@ -116,8 +132,9 @@ pub(super) fn draw_two(sheet: &mut Sheet, frame: Frame, tested: &Tested, other: 
             let place = |point| space.place(axes::foot(axis, point));
             sheet.polygon(Look::OBJECT, tested.polygon.vertices().map(place).collect());
             let p = place(test.point);
-            mark(sheet, test.inside, p);
-            sheet.label(panel, p, DVec2::X, "p′");
+            sheet.small_dot(Look::RAY, p);
+            sheet.label(panel, p, DVec2::X, formula("p′"));
+            sheet.at(argument.verdict, |sheet| mark(sheet, test.inside, p));
         }
     });
 }
