@@ -8,6 +8,10 @@ use raystep::FigureName;
 /// How a figure is drawn.
 #[derive(Debug, ClapArgs)]
 #[command(next_help_heading = "Drawing")]
+#[expect(
+    clippy::struct_excessive_bools,
+    reason = "the flags of a command line do not depend on each other"
+)]
 pub(crate) struct Drawing {
     /// Folder of the lessons
     #[arg(long, value_name = "DIR", default_value = "lessons")]
@@ -47,6 +51,10 @@ pub(crate) enum WidthName {
   raystep figure 12-grid/walk --steps -o walk.svg
   raystep figure 12-grid/walk --write-log walk.jsonl -o walk.svg
   raystep figure 12-grid/walk --log walk.jsonl -o walk.svg")]
+#[expect(
+    clippy::struct_excessive_bools,
+    reason = "the flags of a command line do not depend on each other"
+)]
 pub(crate) struct FigureArgs {
     /// Lesson and figure, such as 12-grid/walk
     #[arg(value_name = "LESSON/NAME")]

@@ -10,6 +10,8 @@ use crate::figure::sheet::Sheet;
 use crate::figure::sheet::canvas::quantity;
 use crate::figure::sheet::frame::Frame;
 use crate::figure::sheet::look::Look;
+use crate::figure::sheet::stage::StageId;
+use crate::figure::sheet::text::{Text, formula};
 use crate::figure::spec::Layer;
 use crate::figure::subject::Figure;
 use crate::figure::traced::Section;
@@ -153,6 +155,74 @@ impl<'a> Both<'a> {
     }
 }
 
+/// The stages, in their order.
+struct Argument {
+    light: StageId,
+    eye: StageId,
+    free: Option<StageId>,
+    blocked: Option<StageId>,
+    worked: Option<StageId>,
+}
+
+impl Argument {
+    fn new(figure: &Figure, sheet: &mut Sheet, both: &Both) -> Self {
+        let last = |walk: &Walk| walk.vertices.iter().filter_map(|(step, _)| *step).max();
+        let light = sheet.stage(
+            "path of light",
+            last(&both.light),
+            format!("A path of light from x₀ hits {}.", met(figure, &both.light)),
+        );
+        let eye_step = last(&both.eye);
+        let eye = sheet.stage(
+            "path from the eye",
+            eye_step,
+            format!("A path from the eye y₀ hits {}.", met(figure, &both.eye)),
+        );
+        let of = |visible: bool| {
+            let lines = both
+                .lines
+                .iter()
+                .filter(move |line| line.connection.visible == visible);
+            let told: Vec<String> = lines
+                .clone()
+                .map(|line| line_in_words(figure, line))
+                .collect();
+            // no line is there before both of its paths
+            let step = lines.map(|line| line.step).max().max(eye_step);
+            (!told.is_empty()).then(|| (step, told.join("; ")))
+        };
+        let mut latest = eye_step;
+        let mut stage = |name: &'static str, told: Option<(Option<u32>, String)>| {
+            let (step, told) = told?;
+            latest = step.max(latest);
+            Some(sheet.stage(name, latest, format!("{told}.")))
+        };
+        let free = stage("connecting lines", of(true));
+        let blocked = stage("blocked lines", of(false));
+        let worked = both.worked().map(|line| {
+            let [geometry, weight] = working(line.connection);
+            let step = Some(line.step).max(latest);
+            sheet.stage("geometry term", step, format!("{geometry}; {weight}."))
+        });
+        Self {
+            light,
+            eye,
+            free,
+            blocked,
+            worked,
+        }
+    }
+}
+
+/// The objects that a path hits, in order.
+fn met(figure: &Figure, walk: &Walk) -> String {
+    let names = walk
+        .objects
+        .iter()
+        .map(|id| scenery::name_of(figure.scene, *id));
+    names.collect::<Vec<_>>().join(", then ")
+}
+
 /// The path of light that a path from the eye was connected to.
 fn path_of(records: &[Record]) -> Option<u32> {
     records.iter().find_map(|record| match &record.event {
@@ -164,9 +234,15 @@ fn path_of(records: &[Record]) -> Option<u32> {
 fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, FigureError> {
     let both = Both::of(figure)?;
     let worked = both.worked();
-    let body = match worked {
-        Some(line) if figure.shows(Layer::Numbers) => sheet.step(line.step, |sheet| {
-            sheet.lines(body, &working(line.connection))
+    let argument = Argument::new(figure, sheet, &both);
+    let body = match (worked, argument.worked) {
+        (Some(line), Some(stage)) if figure.shows(Layer::Numbers) => sheet.at(stage, |sheet| {
+            let [geometry, weight] = working(line.connection);
+            let [prose, value] = weight.split_at(weight.find("w(").unwrap_or(0)).into();
+            sheet.lines(
+                body,
+                &[formula(&geometry), Text::from(prose) + formula(value)],
+            )
         }),
         _ => body,
     };
@@ -192,23 +268,35 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
     }
     scenery::camera_and_lights(figure, sheet, &space);
     sheet.within(space.frame, |sheet| {
-        if figure.shows(Layer::Connections) {
-            for line in &both.lines {
-                connecting_line(sheet, &space, line);
-            }
-        }
         if figure.shows(Layer::LightPaths) {
-            walk(sheet, &space, &both.light, Look::LIGHT_RAY, "x");
+            sheet.at(argument.light, |sheet| {
+                walk(sheet, &space, &both.light, Look::LIGHT_RAY, "x");
+            });
         }
         if figure.shows(Layer::Ray) {
-            walk(sheet, &space, &both.eye, Look::RAY, "y");
+            sheet.at(argument.eye, |sheet| {
+                walk(sheet, &space, &both.eye, Look::RAY, "y");
+            });
         }
-        if let Some(line) = worked {
-            sheet.step(line.step, |sheet| {
+        if figure.shows(Layer::Connections) {
+            for line in &both.lines {
+                let stage = if line.connection.visible {
+                    argument.free
+                } else {
+                    argument.blocked
+                };
+                if let Some(stage) = stage {
+                    sheet.at(stage, |sheet| connecting_line(sheet, &space, line));
+                }
+            }
+        }
+        if let (Some(line), Some(stage)) = (worked, argument.worked) {
+            sheet.at(stage, |sheet| {
                 let [from, to] =
                     [line.connection.from, line.connection.to].map(|at| space.place(at));
                 let across = (to - from).perp().normalize_or_zero();
-                sheet.label(space.frame, from.midpoint(to), across, "G");
+                sheet.line(Look::ANSWER.outline(), from, to);
+                sheet.label(space.frame, from.lerp(to, 0.4), across, formula("G"));
             });
         }
     });
@@ -237,7 +325,7 @@ fn walk(sheet: &mut Sheet, space: &Space, walk: &Walk, look: Look, name: &str) {
             } else {
                 along
             };
-            sheet.label(space.frame, at, towards, vertex(name, number));
+            sheet.label(space.frame, at, towards, formula(&vertex(name, number)));
             before = Some(at);
         });
     }
@@ -288,18 +376,10 @@ fn working(connection: &Connection) -> [String; 2] {
 }
 
 fn in_words(figure: &Figure, both: &Both) -> String {
-    let name = |id: &PrimitiveId| scenery::name_of(figure.scene, *id);
-    let met = |walk: &Walk| {
-        walk.objects
-            .iter()
-            .map(name)
-            .collect::<Vec<_>>()
-            .join(", then ")
-    };
     let blocked = both.lines.iter().filter(|line| !line.connection.visible);
     let mut sentences = vec![
-        format!("A path of light from x₀ hits {}.", met(&both.light)),
-        format!("A path from the eye y₀ hits {}.", met(&both.eye)),
+        format!("A path of light from x₀ hits {}.", met(figure, &both.light)),
+        format!("A path from the eye y₀ hits {}.", met(figure, &both.eye)),
         format!(
             "Connecting lines between their vertices: {}, of which {} blocked.",
             both.lines.len(),

@@ -1,8 +1,9 @@
 //! The photons nearest to a point, as they lie on its surface, and the density that follows from them (slides, "Type
 //! of Ray Tracing Algorithm": hybrid with storage on surfaces; Jensen 1996).
 
-use glam::{DVec2, DVec3};
+use glam::DVec2;
 
+use crate::explain::{Part, grouped};
 use crate::figure::error::FigureError;
 use crate::figure::kind::Kind;
 use crate::figure::parts::gathering::Gathering;
@@ -12,7 +13,9 @@ use crate::figure::parts::scenery;
 use crate::figure::sheet::Sheet;
 use crate::figure::sheet::canvas::quantity;
 use crate::figure::sheet::frame::Frame;
-use crate::figure::sheet::look::Look;
+use crate::figure::sheet::look::{Colour, Look};
+use crate::figure::sheet::stage::StageId;
+use crate::figure::sheet::text::formula;
 use crate::figure::spec::Layer;
 use crate::figure::subject::Figure;
 use crate::figure::view::Space;
@@ -23,6 +26,63 @@ pub(super) const KIND: Kind = Kind {
     usual: &[Layer::Objects, Layer::Hits, Layer::Numbers],
     more: &[],
 };
+
+/// The stages, in their order.
+struct Argument {
+    photons: StageId,
+    point: StageId,
+    nearest: StageId,
+    sum: StageId,
+}
+
+impl Argument {
+    fn new(figure: &Figure, sheet: &mut Sheet, gathering: &Gathering, radius: f64) -> Self {
+        let object = scenery::name_of(figure.scene, gathering.gathered.object);
+        let sections = figure.first.paths();
+        let paths: Vec<LightPath> = sections.iter().filter_map(LightPath::of).collect();
+        let on_it = paths.iter().flat_map(|path| &path.legs).filter(|leg| {
+            leg.stored
+                .is_some_and(|photon| photon.object == gathering.gathered.object)
+        });
+        let stored = on_it.clone().count();
+        let last = on_it.map(|leg| leg.step).max();
+        let found = gathering.nearby.first().map(|(step, _)| *step);
+        Self {
+            photons: sheet.stage(
+                "photons",
+                last,
+                format!(
+                    "{} paths of light have left {} photons on {object}.",
+                    grouped(paths.len() as u64),
+                    grouped(stored as u64)
+                ),
+            ),
+            point: sheet.stage(
+                Part::Point,
+                found,
+                format!("The eye ray hits {object} in p."),
+            ),
+            nearest: sheet.stage(
+                "nearest photons",
+                gathering.step,
+                format!(
+                    "Of the {} nearest photons the last one sets the radius of the disc, r = {}, and does not count.",
+                    gathering.nearby.len(),
+                    quantity(radius)
+                ),
+            ),
+            sum: sheet.stage(
+                Part::Irradiance,
+                gathering.step,
+                format!(
+                    "The power of the {} others over the area of the disc is the irradiance: {}.",
+                    gathering.counted().len(),
+                    gathering.working().join(" ")
+                ),
+            ),
+        }
+    }
+}
 
 fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, FigureError> {
     let section = figure.section_of(figure.pixel()?)?;
@@ -38,8 +98,10 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
         ));
     };
     let numbers = numbers(gathering);
+    let argument = Argument::new(figure, sheet, gathering, radius);
     let body = if figure.shows(Layer::Numbers) {
-        sheet.step(gathering.step, |sheet| sheet.lines(body, &numbers))
+        let body = sheet.at(argument.nearest, |sheet| sheet.lines(body, &numbers[..1]));
+        sheet.at(argument.sum, |sheet| sheet.lines(body, &gathering.lines()))
     } else {
         body
     };
@@ -54,13 +116,17 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
     }
     sheet.within(space.frame, |sheet| {
         if figure.shows(Layer::Hits) {
-            stored(figure, sheet, &space, gathering);
+            stored(figure, sheet, &space, (gathering, argument.photons));
         }
         let rim: Vec<DVec2> = rim.iter().map(|at| space.projection.of(*at)).collect();
-        sheet.step(gathering.step, |sheet| {
-            outline::rim(sheet, &space, &Rim::Points(rim), Look::ANSWER);
-            photons(sheet, &space, gathering, radius);
+        let rim = Rim::Points(rim);
+        sheet.at(argument.nearest, |sheet| {
+            outline::rim(sheet, &space, &rim, Look::THIN.wide(1.25));
         });
+        sheet.at(argument.sum, |sheet| {
+            outline::rim(sheet, &space, &rim, Look::ANSWER);
+        });
+        photons(sheet, &space, (gathering, radius), &argument);
     });
     let object = scenery::name_of(figure.scene, object);
     Ok(format!(
@@ -81,53 +147,67 @@ fn numbers(gathering: &Gathering) -> Vec<String> {
 }
 
 /// All photons on the surface that the shown paths have left.
-fn stored(figure: &Figure, sheet: &mut Sheet, space: &Space, gathering: &Gathering) {
+fn stored(
+    figure: &Figure,
+    sheet: &mut Sheet,
+    space: &Space,
+    (gathering, stage): (&Gathering, StageId),
+) {
     let sections = figure.first.paths();
     for path in sections.iter().filter_map(LightPath::of) {
         for leg in &path.legs {
             let Some(photon) = leg.stored else {
                 continue;
             };
-            let is_near = |point: DVec3| gathering.nearby.iter().any(|(_, of)| of.point == point);
-            if photon.object != gathering.gathered.object || is_near(photon.point) {
+            if photon.object != gathering.gathered.object {
                 continue;
             }
-            sheet.step(leg.step, |sheet| {
-                let radius = 2.0 * sheet.unit();
-                let look = Look::THIN.inside().full();
-                sheet.circle(look, space.place(photon.point), radius);
+            sheet.at(stage, |sheet| {
+                sheet.step(leg.step, |sheet| {
+                    let radius = 2.0 * sheet.unit();
+                    sheet.circle(PHOTON, space.place(photon.point), radius);
+                });
             });
         }
     }
 }
 
+/// A photon.
+const PHOTON: Look = Look {
+    colour: Colour::Light,
+    ..Look::THIN.inside().full()
+};
+
 /// The point, the photons around it and how far the last of them is.
-fn photons(sheet: &mut Sheet, space: &Space, gathering: &Gathering, radius: f64) {
+fn photons(
+    sheet: &mut Sheet,
+    space: &Space,
+    (gathering, radius): (&Gathering, f64),
+    argument: &Argument,
+) {
     let at = space.place(gathering.gathered.point);
     let counted = gathering.counted().len();
+    sheet.at(argument.point, |sheet| {
+        sheet.dot(Look::RAY, at);
+        sheet.label(space.frame, at, DVec2::new(-1.0, 1.0), formula("p"));
+    });
     for (place, (step, photon)) in gathering.nearby.iter().enumerate() {
         let to = space.place(photon.point);
         if place < counted {
-            sheet.step(*step, |sheet| sheet.dot(Look::ANSWER, to));
+            sheet.at(argument.nearest, |sheet| {
+                sheet.step(*step, |sheet| sheet.circle(PHOTON, to, 4.0 * sheet.unit()));
+            });
             continue;
         }
-        sheet.step(gathering.step, |sheet| {
+        sheet.at(argument.nearest, |sheet| {
             sheet.line(Look::HELP, at, to);
             sheet.ring(Look::REJECTED, to);
             let middle = at.lerp(to, 0.5);
             let across = (to - at).perp().normalize_or_zero();
-            sheet.label(
-                space.frame,
-                middle,
-                across,
-                format!("r = {}", quantity(radius)),
-            );
+            let text = formula("r = ") + quantity(radius);
+            sheet.label(space.frame, middle, across, text);
             let outwards = (to - at).normalize_or_zero();
             sheet.label(space.frame, to, outwards, "does not count");
         });
     }
-    sheet.step(gathering.step, |sheet| {
-        sheet.cross(Look::RAY, at);
-        sheet.label(space.frame, at, DVec2::new(-1.0, 1.0), "p");
-    });
 }

@@ -42,7 +42,7 @@ pub(in crate::figure) fn pieces(
         let hides = |cover: &&Primitive| {
             test_primitive(PrimitiveId(0), cover, &ray, range, &mut Off).is_some()
         };
-        covers.iter().any(|cover| hides(cover))
+        covers.iter().any(hides)
     };
     let mut pieces = Vec::new();
     // in the middle of its part, so that no sample lies on an end

@@ -6,6 +6,7 @@ use glam::DVec3;
 
 use crate::figure::parts::disc;
 use crate::figure::sheet::canvas::{coordinates, quantity};
+use crate::figure::sheet::text::{Text, formula};
 use crate::figure::traced::Section;
 use crate::scene::Scene;
 use crate::trace::{Event, Gathered, Nearby};
@@ -90,6 +91,17 @@ impl<'a> Gathering<'a> {
         } else {
             vec![from, result]
         }
+    }
+}
+
+impl Gathering<'_> {
+    /// The same as lines of a drawing.
+    pub(in crate::figure) fn lines(&self) -> Vec<Text> {
+        let line = |text: &String| match text.strip_prefix("E ") {
+            Some(rest) => formula("E ") + rest,
+            None => text.into(),
+        };
+        self.working().iter().map(line).collect()
     }
 }
 

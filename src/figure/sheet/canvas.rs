@@ -329,10 +329,12 @@ fn runs(runs: &[Run], size: f64) -> String {
         below = run.level.drop();
         let mut attributes = String::new();
         if drop != 0.0 {
-            attributes += &format!(" dy=\"{}\"", number(drop * size));
+            attributes = format!(" dy=\"{}\"", number(drop * size));
         }
         if run.level.size() != 1.0 {
-            attributes += &format!(" font-size=\"{}\"", number(run.level.size() * size));
+            attributes.push_str(" font-size=\"");
+            attributes.push_str(&number(run.level.size() * size));
+            attributes.push('"');
         }
         if run.italic {
             attributes += " font-style=\"italic\"";
@@ -340,7 +342,8 @@ fn runs(runs: &[Run], size: f64) -> String {
         if attributes.is_empty() {
             text += &letters.to_string();
         } else {
-            text += &format!("<tspan{attributes}>{letters}</tspan>");
+            let set = format!("<tspan{attributes}>{letters}</tspan>");
+            text.push_str(&set);
         }
     }
     text

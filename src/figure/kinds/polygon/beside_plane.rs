@@ -11,6 +11,7 @@ use crate::figure::sheet::Sheet;
 use crate::figure::sheet::canvas::quantity;
 use crate::figure::sheet::frame::Frame;
 use crate::figure::sheet::look::Look;
+use crate::figure::sheet::stage::StageId;
 use crate::figure::sheet::text::formula;
 use crate::figure::subject::Figure;
 use crate::geometry::PlaneVerdict;
@@ -24,7 +25,7 @@ pub(super) fn draw(
     name: &str,
 ) -> String {
     let Tested { ray, polygon, .. } = tested;
-    let (test, step) = tested.plane;
+    let (test, _) = tested.plane;
     let normal = test.plane.normal;
     let is_beside = test.verdict == PlaneVerdict::ParallelBeside;
     let numerator = if is_beside {
@@ -32,33 +33,17 @@ pub(super) fn draw(
     } else {
         "0".into()
     };
-    let so = if is_beside {
-        "in (v): the ray is parallel to the plane, and beside it"
-    } else {
-        "in (v): the ray lies in the plane"
-    };
+    let [starts, argument] = stages(sheet, tested, name);
     let equations = [
         formula("A·Δx + B·Δy + C·Δz = 0"),
         formula("A·x₀ + B·y₀ + C·z₀ + D = ") + &numerator,
-        formula("no ") + formula("t ") + so,
+        formula("no t ")
+            + if is_beside {
+                "in (v): the ray is parallel to the plane, and beside it"
+            } else {
+                "in (v): the ray lies in the plane"
+            },
     ];
-    let starts = sheet.stage(
-        Part::Ray,
-        tested.starts,
-        format!("The ray R starts at the COP and goes past the polygon {name}."),
-    );
-    let argument = sheet.stage(
-        Part::PlaneT,
-        step,
-        if is_beside {
-            format!(
-                "R keeps the same distance from the plane, {}: the denominator of (v) is 0, and there is no t.",
-                quantity(test.numerator.abs())
-            )
-        } else {
-            "R lies in the plane: the denominator of (v) is 0, and there is no t.".into()
-        },
-    );
     let drawing = sheet.at(argument, |sheet| sheet.lines(frame, &equations));
 
     // the foot of the ray's origin on the plane, and of the last point of the ray that is drawn
@@ -70,21 +55,7 @@ pub(super) fn draw(
         .map(|vertex| (vertex - ray.origin).dot(ray.direction))
         .fold(0.0, f64::max);
     let end = ray.at(1.15 * furthest);
-    // the plane as a parallelogram along the ray, around the polygon and the feet
-    let across = normal.cross(ray.direction).normalize_or_zero();
-    let aside = |point: DVec3| (point - ray.origin).dot(across);
-    let sides = polygon.vertices().chain([ray.origin]).map(aside);
-    let [low, high] = sides.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], at| {
-        [low.min(at), high.max(at)]
-    });
-    let room = 0.08 * (high - low);
-    let corner = |foot: DVec3, at: f64| foot + at * across;
-    let plane = [
-        corner(ray.origin + down, low - room),
-        corner(end + down, low - room),
-        corner(end + down, high + room),
-        corner(ray.origin + down, high + room),
-    ];
+    let plane = sheet_of_plane(tested, [ray.origin + down, end + down]);
     let points = [ray.origin, end, middle + normal];
     let points = points.into_iter().chain(plane);
     let space = figure.space(drawing, polygon.vertices().chain(points));
@@ -93,8 +64,8 @@ pub(super) fn draw(
         let seen = |point| space.projection.of(point);
 
         let rim = Rim::Points(polygon.vertices().map(seen).collect());
-        let sheet_of_plane = Rim::Points(plane.map(seen).into());
-        outline::rim(sheet, &space, &sheet_of_plane, Look::HELP.wide(0.75));
+        let plane = Rim::Points(plane.map(seen).into());
+        outline::rim(sheet, &space, &plane, Look::HELP.wide(0.75));
         outline::rim(sheet, &space, &rim, Look::OBJECT);
         let tip = place(middle + normal);
         sheet.arrow(Look::THIN, place(middle), tip);
@@ -142,4 +113,43 @@ pub(super) fn draw(
     } else {
         format!("The ray lies in the plane of {name} and does not hit it in one point.")
     }
+}
+
+/// The stages: the ray, and why there is no t.
+fn stages(sheet: &mut Sheet, tested: &Tested, name: &str) -> [StageId; 2] {
+    let (test, step) = tested.plane;
+    let so = if test.verdict == PlaneVerdict::ParallelBeside {
+        let distance = quantity(test.numerator.abs());
+        format!(
+            "R keeps the same distance from the plane, {distance}: the denominator of (v) is 0, and there is no t."
+        )
+    } else {
+        "R lies in the plane: the denominator of (v) is 0, and there is no t.".into()
+    };
+    let starts = format!("The ray R starts at the COP and goes past the polygon {name}.");
+    [
+        sheet.stage(Part::Ray, tested.starts, starts),
+        sheet.stage(Part::PlaneT, step, so),
+    ]
+}
+
+/// The plane as a parallelogram along the ray, around the polygon and the feet of the ray's ends.
+fn sheet_of_plane(tested: &Tested, [start, end]: [DVec3; 2]) -> [DVec3; 4] {
+    /// Beyond the outermost corner, of the width.
+    const ROOM: f64 = 0.08;
+    let normal = tested.plane.0.plane.normal;
+    let across = normal.cross(tested.ray.direction).normalize_or_zero();
+    let aside = |point: DVec3| (point - start).dot(across);
+    let sides = tested.polygon.vertices().chain([start]).map(aside);
+    let [low, high] = sides.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], at| {
+        [low.min(at), high.max(at)]
+    });
+    let room = ROOM * (high - low);
+    let corner = |foot: DVec3, at: f64| foot + at * across;
+    [
+        corner(start, low - room),
+        corner(end, low - room),
+        corner(end, high + room),
+        corner(start, high + room),
+    ]
 }
