@@ -3,18 +3,22 @@
 
 use glam::{DVec2, DVec3};
 
+use crate::explain::Part;
 use crate::figure::error::FigureError;
 use crate::figure::kind::Kind;
 use crate::figure::parts::outline::{Rim, line_on, rim};
-use crate::figure::parts::scenery;
+use crate::figure::parts::{depth, right_angle, scenery};
 use crate::figure::sheet::Sheet;
+use crate::figure::sheet::canvas::{coordinates, quantity};
 use crate::figure::sheet::frame::Frame;
 use crate::figure::sheet::look::Look;
+use crate::figure::sheet::stage::StageId;
 use crate::figure::spec::Layer;
 use crate::figure::subject::Figure;
 use crate::figure::view::Space;
-use crate::scene::Camera;
-use crate::trace::{Event, RayNode, RayTree, Record};
+use crate::geometry::Ray;
+use crate::scene::{Camera, Primitive, PrimitiveId};
+use crate::trace::{Event, RayTree};
 
 pub(super) const KIND: Kind = Kind {
     draw,
@@ -32,53 +36,180 @@ pub(super) const KIND: Kind = Kind {
     more: &[Layer::Projection],
 };
 
+/// The eye ray through a pixel, with the events of the pixel.
+struct EyeRay<'a> {
+    pixel: [u32; 2],
+    /// Where it passes the window.
+    point: DVec3,
+    ray: Ray,
+    /// The t of what it hits, and what that is.
+    hit: Option<(f64, PrimitiveId)>,
+    /// The stages of its place on the window, of the ray and of its hit.
+    stages: [StageId; 3],
+    figure: &'a Figure<'a>,
+}
+
+impl<'a> EyeRay<'a> {
+    /// The ray, and the stages of its argument.
+    fn of(
+        figure: &'a Figure<'a>,
+        sheet: &mut Sheet,
+        pixel: [u32; 2],
+    ) -> Result<Option<Self>, FigureError> {
+        let records = figure.records_of(pixel)?;
+        let point = records.iter().find_map(|record| match &record.event {
+            Event::Pixel(sample) => Some((sample.point, record.step)),
+            _ => None,
+        });
+        let tree = RayTree::new(records);
+        let (Some((point, step)), Some(node)) = (point, tree.rays.first()) else {
+            return Ok(None);
+        };
+        let (Some(start), Some(end)) = (node.start, node.end) else {
+            return Ok(None);
+        };
+        let hit = end.t.zip(end.object);
+        let [starts, ends] = node.ends_at.map(|at| at.map(|at| records[at].step));
+        let [x, y] = pixel;
+        let so = match hit {
+            Some((t, object)) => format!(
+                "It hits {} at t = {}.",
+                scenery::name_of(figure.scene, object),
+                quantity(t)
+            ),
+            None => "It misses all objects.".into(),
+        };
+        let through = format!(
+            "The ray of pixel ({x}, {y}) passes the window at {}, the centre of the pixel.",
+            coordinates(point)
+        );
+        let stages = [
+            sheet.stage(Part::WindowPoint, step, through),
+            sheet.stage(
+                Part::Ray,
+                starts,
+                "The eye ray leaves the COP through this point.",
+            ),
+            sheet.stage(Part::Nearest, ends, so),
+        ];
+        Ok(Some(Self {
+            pixel,
+            point,
+            ray: start.ray,
+            hit,
+            stages,
+            figure,
+        }))
+    }
+
+    /// The pixel on the window, with its centre and its number.
+    fn mark(&self, sheet: &mut Sheet, space: &Space) {
+        let [x, y] = self.pixel;
+        let camera = &self.figure.scene.camera;
+        let [left, top] = self.pixel.map(f64::from);
+        let corners = [
+            [left, top],
+            [left + 1.0, top],
+            [left + 1.0, top + 1.0],
+            [left, top + 1.0],
+        ];
+        let corners = corners.map(|[x, y]| space.projection.of(camera.window_point(x, y)));
+        sheet.at(self.stages[0], |sheet| {
+            let around = Rim::Points(corners.into());
+            rim(sheet, space, &around, Look::VISITED.wide(2.0));
+            let at = space.place(self.point);
+            let radius = 3.0 * sheet.unit();
+            sheet.circle(Look::PAPER_LINE.full(), at, radius);
+            sheet.circle(Look::THIN.outline(), at, radius);
+            sheet.label(space.frame, at, DVec2::NEG_Y, format!("pixel ({x}, {y})"));
+        });
+    }
+
+    /// The ray: from the COP a little past the window, then to what it hits. Dotted is what lies behind something.
+    fn draw(&self, sheet: &mut Sheet, space: &Space, covers: &[&Primitive]) {
+        /// So far past the window, of the way to it.
+        const PAST: f64 = 1.3;
+        let Some(t) = self.hit.map(|(t, _)| t).or_else(|| space.leaves(&self.ray)) else {
+            return;
+        };
+        let from = self.ray.origin;
+        let past = from.lerp(self.point, PAST);
+        // not beyond the hit
+        let end = self.ray.at(t);
+        let past = if from.distance(end) < from.distance(past) {
+            end
+        } else {
+            past
+        };
+        let look = Look::RAY.in_front();
+        sheet.at(self.stages[1], |sheet| {
+            depth::arrow(sheet, space, look, [from, past], covers);
+            let [at, to] = [past, end].map(|of| space.place(of));
+            let across = (to - at).perp();
+            let up = if 0.0 < across.y { -across } else { across };
+            sheet.label(space.frame, at, up, "eye ray");
+        });
+        sheet.at(self.stages[2], |sheet| {
+            depth::line(sheet, space, look, [past, end], covers);
+            if self.hit.is_some() && self.figure.shows(Layer::Hits) {
+                sheet.dot(Look::ANSWER, space.place(end));
+            }
+        });
+    }
+}
+
 fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, FigureError> {
+    let camera = &figure.scene.camera;
     let mut points = scenery::points_of(figure);
     if figure.shows(Layer::Projection) {
-        points.extend(plane_corners(&figure.scene.camera));
+        points.extend(plane_corners(camera));
     }
     let space = figure.space(body, points);
     let pixels = figure.pixels();
     if pixels.is_empty() {
         figure.pixel()?;
     }
+    let [width, height] = camera.pixels;
+    let stands = format!("The window of {width} × {height} pixels stands before the COP.");
+    sheet.stage("eye and window", None, stands);
     let mut rays = Vec::new();
-    for [x, y] in pixels {
-        let records = figure.records_of([x, y])?;
-        rays.push(([x, y], records, RayTree::new(records)));
+    for pixel in pixels {
+        rays.extend(EyeRay::of(figure, sheet, pixel)?);
     }
-    let met = rays
-        .iter()
-        .filter_map(|(_, _, tree)| tree.rays.first()?.end?.object);
-    let met: Vec<_> = met.collect();
-
     if figure.shows(Layer::Objects) {
-        scenery::objects_met(figure, sheet, &space, &met);
+        scenery::objects(figure, sheet, &space, |_| Look::OBJECT);
+        for ray in rays.iter().filter(|_| figure.shows(Layer::Hits)) {
+            let Some((_, object)) = ray.hit else { continue };
+            sheet.at(ray.stages[2], |sheet| {
+                scenery::some_objects(figure, sheet, &space, &[object], Look::MET.outline());
+            });
+        }
     }
     if figure.shows(Layer::Projection) {
-        view_plane(sheet, &space, &figure.scene.camera);
+        view_plane(sheet, &space, camera);
     }
     if figure.shows(Layer::Window) {
         scenery::window(figure, sheet, &space);
         if figure.shows(Layer::Numbers) {
-            numbers(sheet, &space, &figure.scene.camera);
+            numbers(sheet, &space, camera);
         }
     }
     if figure.shows(Layer::Eye) {
         scenery::eye(figure, sheet, &space);
-        pyramid(figure, sheet, &space);
-    }
-    let mut sentences = Vec::new();
-    for (pixel, records, tree) in &rays {
-        mark(figure, sheet, &space, *pixel, records);
-        if let Some(eye_ray) = tree.rays.first()
-            && figure.shows(Layer::Ray)
-        {
-            sheet.step(eye_ray.ends_at[0].map(|at| records[at].step), |sheet| {
-                ray(figure, sheet, &space, records, eye_ray);
-            });
+        // beside the perpendicular they would compete with it
+        if !figure.shows(Layer::Projection) {
+            pyramid(figure, sheet, &space);
         }
-        sentences.push(in_words(figure, *pixel, tree));
+    }
+    let pane = scenery::window_pane(figure.scene);
+    let covers: Vec<&Primitive> = figure.scene.primitives.iter().chain(&pane).collect();
+    let mut sentences = Vec::new();
+    for ray in &rays {
+        ray.mark(sheet, &space);
+        if figure.shows(Layer::Ray) {
+            ray.draw(sheet, &space, &covers);
+        }
+        sentences.push(in_words(figure, ray));
     }
     if figure.shows(Layer::Names) {
         scenery::names(figure, sheet, &space);
@@ -92,66 +223,6 @@ fn pyramid(figure: &Figure, sheet: &mut Sheet, space: &Space) {
         let ends = [figure.scene.camera.cop, corner].map(|of| space.projection.of(of));
         line_on(sheet, space, Look::HELP.wide(0.75), &ends);
     }
-}
-
-/// The place on the window that is looked through, as it was recorded.
-fn place_on_window(records: &[Record]) -> Option<(DVec3, u32)> {
-    records.iter().find_map(|record| match &record.event {
-        Event::Pixel(sample) => Some((sample.point, record.step)),
-        _ => None,
-    })
-}
-
-/// Marks a pixel on the window, its centre and its number.
-fn mark(figure: &Figure, sheet: &mut Sheet, space: &Space, [x, y]: [u32; 2], records: &[Record]) {
-    let Some((point, step)) = place_on_window(records) else {
-        return;
-    };
-    let camera = &figure.scene.camera;
-    let [left, top] = [x, y].map(f64::from);
-    let corners = [
-        [left, top],
-        [left + 1.0, top],
-        [left + 1.0, top + 1.0],
-        [left, top + 1.0],
-    ];
-    let corners = corners.map(|[x, y]| space.projection.of(camera.window_point(x, y)));
-    sheet.step(step, |sheet| {
-        rim(
-            sheet,
-            space,
-            &Rim::Points(corners.into()),
-            Look::VISITED.wide(2.0),
-        );
-        let at = space.place(point);
-        sheet.circle(Look::VISITED.inside().full(), at, 3.0 * sheet.unit());
-        sheet.label(space.frame, at, DVec2::NEG_Y, format!("pixel ({x}, {y})"));
-    });
-}
-
-fn ray(figure: &Figure, sheet: &mut Sheet, space: &Space, records: &[Record], node: &RayNode) {
-    let (Some(start), Some(end)) = (node.start, node.end) else {
-        return;
-    };
-    let from = space.place(start.ray.origin);
-    let Some(t) = end.t.or_else(|| space.leaves(&start.ray)) else {
-        return;
-    };
-    let to = space.place(start.ray.at(t));
-    let Some([from, to]) = space.frame.cut_line([from, to]) else {
-        return;
-    };
-    let is_hit = figure.shows(Layer::Hits) && end.t.is_some();
-    let head = if is_hit { 4.0 * sheet.unit() } else { 0.0 };
-    sheet.arrow(Look::RAY, from, to - head * (to - from).normalize_or_zero());
-    if is_hit {
-        sheet.dot(Look::ANSWER, to);
-    }
-    // beyond the window, where the lines to its corners end
-    let window = place_on_window(records).map_or(from, |(point, _)| space.place(point));
-    let across = (to - from).perp();
-    let up = if 0.0 < across.y { -across } else { across };
-    sheet.label(space.frame, window.lerp(to, 0.6), up, "eye ray");
 }
 
 /// How pixels are counted: the first is at the upper left, the last at the lower right.
@@ -196,42 +267,39 @@ fn plane_corners(camera: &Camera) -> [DVec3; 4] {
     .map(|[a, b]| camera.corner() + a * right + b * up)
 }
 
-/// The view plane around the window, and how the COP lies before it.
+/// The view plane around the window, and the perpendicular on it from the COP.
 fn view_plane(sheet: &mut Sheet, space: &Space, camera: &Camera) {
     let corners = plane_corners(camera);
     let flat = corners.map(|of| space.projection.of(of));
-    rim(sheet, space, &Rim::Points(flat.into()), Look::HELP);
+    rim(
+        sheet,
+        space,
+        &Rim::Points(flat.into()),
+        Look::HELP.wide(0.75),
+    );
     let foot = foot(camera);
     let ends = [camera.cop, foot].map(|of| space.projection.of(of));
-    line_on(sheet, space, Look::HELP, &ends);
-    right_angle(sheet, space, camera, foot);
+    line_on(sheet, space, Look::THIN.wide(1.25), &ends);
+    sheet.small_dot(Look::RAY, space.place(foot));
+    let towards = (camera.corner() + 0.5 * (camera.right + camera.up) - foot).normalize_or_zero();
+    right_angle::draw(sheet, space, foot, [camera.cop - foot, towards]);
+    let [cop, at] = [camera.cop, foot].map(|of| space.place(of));
+    sheet.label(space.frame, at, at - cop, "foot of the perpendicular");
     let lowest = corners.map(|of| space.place(of));
     if let Some(low) = lowest.into_iter().max_by(|a, b| a.y.total_cmp(&b.y)) {
         sheet.label(space.frame, low, DVec2::Y, "view plane");
     }
 }
 
-/// The sign of a right angle between the view plane and the perpendicular.
-fn right_angle(sheet: &mut Sheet, space: &Space, camera: &Camera, foot: DVec3) {
-    /// How long its sides are, in letters.
-    const SIDE: f64 = 0.7;
-    let length = SIDE * sheet.letters / space.scale;
-    let middle = camera.corner() + 0.5 * (camera.right + camera.up);
-    let back = length * (camera.cop - foot).normalize_or_zero();
-    let along = length * (middle - foot).normalize_or_zero();
-    let corners = [foot + back, foot + back + along, foot + along];
-    sheet.path(Look::THIN, corners.map(|of| space.place(of)).into());
-}
-
-fn in_words(figure: &Figure, [x, y]: [u32; 2], tree: &RayTree) -> String {
+fn in_words(figure: &Figure, ray: &EyeRay) -> String {
     let [width, height] = figure.scene.camera.pixels;
-    let met = tree.rays.first().and_then(|node| node.end?.object);
-    let met = met.map_or("misses all objects".into(), |id| {
+    let [x, y] = ray.pixel;
+    let so = ray.hit.map_or("misses all objects".into(), |(_, id)| {
         format!("hits {}", scenery::name_of(figure.scene, id))
     });
     format!(
         "The window has {width} × {height} pixels. The eye ray from the COP through the centre of pixel ({x}, {y}) \
-         {met}."
+         {so}."
     )
 }
 

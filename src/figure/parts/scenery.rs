@@ -10,7 +10,8 @@ use crate::figure::sheet::look::Look;
 use crate::figure::spec::Layer;
 use crate::figure::subject::Figure;
 use crate::figure::view::Space;
-use crate::scene::{Object, Primitive, PrimitiveId, Scene};
+use crate::geometry::{Polygon, Sides};
+use crate::scene::{Object, Primitive, PrimitiveId, Scene, Shape};
 
 /// The points that show a scene: outlines of all objects, the eye, the window.
 pub(in crate::figure) fn points_of(figure: &Figure) -> Vec<DVec3> {
@@ -175,6 +176,16 @@ pub(in crate::figure) fn window_corners(scene: &Scene) -> [DVec3; 4] {
         corner + camera.right + camera.up,
         corner + camera.up,
     ]
+}
+
+/// The window as something that hides what is behind it; `None` where it has no area.
+pub(in crate::figure) fn window_pane(scene: &Scene) -> Option<Primitive> {
+    let pane = Polygon::new(window_corners(scene).into(), None).ok()?;
+    Some(Primitive {
+        shape: Shape::Polygon(pane),
+        object: 0,
+        sides: Sides::Both,
+    })
 }
 
 /// The window, with its pixels if they are shown: an area, or a line where it is seen from its edge.
