@@ -7,15 +7,17 @@ use glam::{DVec2, DVec3};
 use crate::figure::error::FigureError;
 use crate::figure::kind::Kind;
 use crate::figure::parts::outline::line_on;
-use crate::figure::parts::scenery;
+use crate::figure::parts::{depth, scenery};
 use crate::figure::sheet::canvas::quantity;
 use crate::figure::sheet::frame::Frame;
 use crate::figure::sheet::look::Look;
+use crate::figure::sheet::stage::StageId;
+use crate::figure::sheet::text::formula;
 use crate::figure::sheet::{Anchor, Sheet};
 use crate::figure::spec::Layer;
 use crate::figure::subject::Figure;
 use crate::figure::view::{Space, View};
-use crate::scene::{Camera, PrimitiveId};
+use crate::scene::{Camera, Primitive, PrimitiveId};
 use crate::trace::{Event, RayTree};
 
 pub(super) const KIND: Kind = Kind {
@@ -42,6 +44,52 @@ struct Seen {
     step: u32,
 }
 
+/// The stages, in their order.
+struct Argument {
+    /// Of each point the light through the pinhole, and the eye ray.
+    points: Vec<[StageId; 2]>,
+    images: StageId,
+}
+
+impl Argument {
+    fn new(figure: &Figure, sheet: &mut Sheet, seen: &[Seen]) -> Self {
+        sheet.stage(
+            "camera",
+            None,
+            "The camera is a closed box with a tiny hole in its front panel: the COP.",
+        );
+        let last = seen.iter().map(|of| of.step).max();
+        let has_window = figure.shows(Layer::Window);
+        let points = seen.iter().zip(NAMES).map(|(of, name)| {
+            let object = scenery::name_of(figure.scene, of.object);
+            let light = format!(
+                "Light from the point {name} of {object} passes the pinhole and hits the negative at {name}″."
+            );
+            let on_window = if has_window {
+                format!(" and passes the window at {name}′")
+            } else {
+                String::new()
+            };
+            let eye = format!("The eye ray runs along the same line in the other direction{on_window}.");
+            [
+                sheet.stage("light", last, light),
+                sheet.stage("eye ray", last, eye),
+            ]
+        });
+        let points = points.collect();
+        let images = sheet.stage(
+            "images",
+            last,
+            if has_window {
+                "The image on the negative is upside down, and that on the window is upright and equally large."
+            } else {
+                "The image on the negative is upside down."
+            },
+        );
+        Self { points, images }
+    }
+}
+
 /// What the points are called, in the order of the pixels.
 const NAMES: [&str; 6] = ["P", "Q", "S", "U", "G", "H"];
 
@@ -61,32 +109,27 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
     let [body, _] = body.split_top(body.size().y - room);
     let space = figure.space(body, points);
     let is_edge_on = is_edge_on(&space, camera);
+    let argument = Argument::new(figure, sheet, &seen);
 
     case.draw(sheet, &space, camera.cop, is_edge_on);
     if figure.shows(Layer::Objects) {
-        scenery::objects(figure, sheet, &space, |id| {
-            if seen.iter().any(|of| of.object == id) {
-                Look::ANSWER
-            } else {
-                Look::OBJECT
-            }
-        });
+        scenery::objects(figure, sheet, &space, |_| Look::OBJECT);
     }
     if figure.shows(Layer::Pixels) && !is_edge_on {
-        picture(figure, sheet, &space);
+        sheet.at(argument.images, |sheet| picture(figure, sheet, &space));
     }
     panels(figure, sheet, &space);
     if figure.shows(Layer::Ray) {
-        for (of, name) in seen.iter().zip(NAMES) {
-            sheet.step(of.step, |sheet| {
-                ray(sheet, &space, camera, of, name);
-            });
+        for ((of, name), stages) in seen.iter().zip(NAMES).zip(&argument.points) {
+            line(figure, sheet, &space, (of, name), *stages);
         }
     }
-    images(sheet, &space, &seen, is_edge_on);
-    if has_distances {
-        distances(sheet, &space, camera, &case);
-    }
+    sheet.at(argument.images, |sheet| {
+        images(sheet, &space, &seen, is_edge_on);
+        if has_distances {
+            distances(sheet, &space, camera, &case);
+        }
+    });
     words(figure, sheet, &space, camera, &case);
     if figure.shows(Layer::Names) {
         scenery::names(figure, sheet, &space);
@@ -266,23 +309,40 @@ fn panels(figure: &Figure, sheet: &mut Sheet, space: &Space) {
     }
 }
 
-/// The line through the pinhole: the eye ray before it, the light behind it.
-fn ray(sheet: &mut Sheet, space: &Space, camera: &Camera, of: &Seen, name: &str) {
+/// The line through the pinhole: first the light from the point to the negative, then the eye ray to the point.
+fn line(
+    figure: &Figure,
+    sheet: &mut Sheet,
+    space: &Space,
+    (of, name): (&Seen, &str),
+    [light, eye]: [StageId; 2],
+) {
+    let pane = scenery::window_pane(figure.scene).filter(|_| figure.shows(Layer::Window));
+    let covers: Vec<&Primitive> = figure.scene.primitives.iter().chain(&pane).collect();
+    let cop = figure.scene.camera.cop;
     let [point, window, pinhole, negative] =
-        [of.point, of.on_window, camera.cop, of.on_negative].map(|at| space.place(at));
+        [of.point, of.on_window, cop, of.on_negative].map(|at| space.place(at));
     let along = (point - pinhole).normalize_or_zero();
-    sheet.arrow(Look::RAY, pinhole, point - 4.0 * sheet.unit() * along);
-    sheet.arrow(Look::SHADOW_RAY, pinhole, negative);
-    sheet.dot(Look::ANSWER, point);
-    sheet.dot(Look::RAY, window);
-    sheet.label(space.frame, point, along, name);
-    sheet.label(
-        space.frame,
-        window,
-        DVec2::new(1.0, along.y.signum()),
-        format!("{name}′"),
-    );
-    sheet.label(space.frame, negative, -along, format!("{name}″"));
+    let label = |sheet: &mut Sheet, at: DVec2, towards: DVec2, prime: &str| {
+        sheet.label(space.frame, at, towards, formula(&format!("{name}{prime}")));
+    };
+    sheet.at(light, |sheet| {
+        // the heads stand where the light is on its way
+        let half = of.point.lerp(cop, 0.3);
+        depth::arrow(sheet, space, Look::LIGHT_RAY, [of.point, half], &covers);
+        depth::line(sheet, space, Look::LIGHT_RAY, [half, cop], &covers);
+        sheet.arrow(Look::LIGHT_RAY, pinhole, negative);
+        sheet.dot(Look::RAY, point);
+        label(sheet, point, along, "");
+        label(sheet, negative, -along, "″");
+    });
+    sheet.at(eye, |sheet| {
+        depth::arrow(sheet, space, Look::RAY, [cop, of.point], &covers);
+        if figure.shows(Layer::Window) {
+            sheet.dot(Look::RAY, window);
+            label(sheet, window, DVec2::new(1.0, along.y.signum()), "′");
+        }
+    });
 }
 
 /// From the image of the first point to that of the last, where the image itself is seen from its edge.
@@ -290,12 +350,17 @@ fn images(sheet: &mut Sheet, space: &Space, seen: &[Seen], is_edge_on: bool) {
     let ([first, .., last], true) = (seen, is_edge_on) else {
         return;
     };
-    sheet.step(last.step.max(first.step), |sheet| {
-        let look = Look::ANSWER.outline().wide(4.0);
-        for image in [|of: &Seen| of.on_window, |of: &Seen| of.on_negative] {
-            sheet.arrow(look, space.place(image(last)), space.place(image(first)));
-        }
-    });
+    let look = Look::RAY.wide(4.0);
+    let images: [(fn(&Seen) -> DVec3, &str); 2] = [
+        (|of| of.on_window, "upright"),
+        (|of| of.on_negative, "upside down"),
+    ];
+    for (image, word) in images {
+        let [from, to] = [last, first].map(|of| space.place(image(of)));
+        sheet.arrow(look, from, to);
+        let aside = DVec2::new((to - from).y.signum(), 0.0);
+        sheet.label(space.frame, from.midpoint(to), -aside, word);
+    }
 }
 
 /// Below the box and the window: both are at the same distance from the pinhole.
