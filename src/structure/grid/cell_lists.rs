@@ -20,6 +20,16 @@ impl CellLists {
     pub(in crate::structure) fn filled(
         cells: usize,
         objects: usize,
+        cells_of: impl FnMut(usize, &mut dyn FnMut(usize)),
+    ) -> Option<Self> {
+        Self::filled_up_to(MOST_ENTRIES, cells, objects, cells_of)
+    }
+
+    /// The same with at most so many entries.
+    fn filled_up_to(
+        most: u32,
+        cells: usize,
+        objects: usize,
         mut cells_of: impl FnMut(usize, &mut dyn FnMut(usize)),
     ) -> Option<Self> {
         let mut starts = vec![0; cells + 1];
@@ -29,7 +39,7 @@ impl CellLists {
                 starts[cell] += 1;
                 total += 1;
             });
-            if u64::from(MOST_ENTRIES) < total {
+            if u64::from(most) < total {
                 return None;
             }
         }
@@ -84,16 +94,17 @@ impl CellLists {
 mod tests {
     use super::*;
 
+    /// By object: 0 in the cells 0 and 2, 1 in 2, 2 in 2 and 1: five entries.
+    fn put_three(object: usize, put: &mut dyn FnMut(usize)) {
+        let cells: [&[usize]; 3] = [&[0, 2], &[2], &[2, 1]];
+        for &cell in cells[object] {
+            put(cell);
+        }
+    }
+
     #[test]
     fn each_cell_lists_its_objects_in_the_order_of_the_scene() {
-        // by object: 0 in the cells 0 and 2, 1 in 2, 2 in 2 and 1
-        let cells: [&[usize]; 3] = [&[0, 2], &[2], &[2, 1]];
-        let lists = CellLists::filled(4, 3, |object, put| {
-            for &cell in cells[object] {
-                put(cell);
-            }
-        });
-        let lists = lists.unwrap();
+        let lists = CellLists::filled(4, 3, put_three).unwrap();
         let of = |cell| lists.of(cell).iter().map(|id| id.0).collect::<Vec<_>>();
         assert_eq!(
             [0, 1, 2, 3].map(of),
@@ -104,5 +115,14 @@ mod tests {
         assert_eq!(lists.objects().len(), 5);
         // five starts and five entries of 4 bytes
         assert_eq!(lists.bytes(), 40);
+    }
+
+    #[test]
+    fn lists_have_as_many_entries_as_are_allowed_and_not_one_more() {
+        let total = |most| {
+            let lists = CellLists::filled_up_to(most, 4, 3, put_three);
+            lists.map(|lists| lists.total())
+        };
+        assert_eq!([6, 5, 4, 1].map(total), [Some(5), Some(5), None, None]);
     }
 }
