@@ -68,7 +68,7 @@ pub(crate) enum Error {
     Unused {
         /// The option.
         option: &'static str,
-        /// The options that choose the strategy.
+        /// What was chosen instead, by an option or as its default.
         chosen: String,
         /// The options that choose each strategy that looks at it.
         users: Vec<String>,

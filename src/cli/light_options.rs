@@ -4,7 +4,7 @@ use raystep::Transport;
 
 use crate::cli::Error;
 use crate::cli::args::Casting;
-use crate::cli::word::word;
+use crate::cli::word::{choice, word};
 
 /// An option about how light is followed, or how eye rays are cast.
 pub(crate) struct LightOption {
@@ -101,7 +101,7 @@ pub(crate) fn refuse_unused(casting: &Casting) -> Result<(), Error> {
         None => Ok(()),
         Some(unused) => Err(Error::Unused {
             option: unused.name,
-            chosen: words(transport),
+            chosen: choice("--transport", casting.transport, transport),
             users: unused.users.iter().map(|&user| words(user)).collect(),
         }),
     }

@@ -5,7 +5,7 @@ use raystep::{StrategyName, StructureOptions};
 
 use crate::cli::Error;
 use crate::cli::args::Tracing;
-use crate::cli::word::word;
+use crate::cli::word::{choice, word};
 
 /// An option about the structure of a strategy.
 pub(crate) struct StructureOption {
@@ -89,15 +89,25 @@ pub(crate) fn refuse_unused(
         None => Ok(()),
         Some(unused) => Err(Error::Unused {
             option: unused.name,
-            chosen: words((strategy, volume_of(strategy, structure))),
+            chosen: chosen(tracing, strategy, structure),
             users: unused.users.iter().map(|&user| words(user)).collect(),
         }),
     }
 }
 
-/// The kind of volume, where the strategy has one.
-fn volume_of(strategy: StrategyName, structure: &StructureOptions) -> Option<VolumeKind> {
-    (strategy == StrategyName::Bounds).then_some(structure.volume)
+/// The strategy, and the kind of volume where it has one: as they were written, or as defaults.
+fn chosen(tracing: &Tracing, strategy: StrategyName, structure: &StructureOptions) -> String {
+    let mut chosen = choice("--strategy", tracing.strategy, strategy);
+    if strategy == StrategyName::Bounds {
+        let between = if tracing.volume.is_some() {
+            " "
+        } else {
+            " and "
+        };
+        chosen += between;
+        chosen += &choice("--volume", tracing.volume, structure.volume);
+    }
+    chosen
 }
 
 /// The options that choose it.

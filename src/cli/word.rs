@@ -17,6 +17,14 @@ pub(crate) fn word<T: Word>(value: T) -> &'static str {
     known.map_or("", |(_, word, _)| word)
 }
 
+/// The choice of an option, as it was written; where nobody wrote it, as the option's default.
+pub(crate) fn choice<T: Word>(option: &str, given: Option<T>, default: T) -> String {
+    match given {
+        Some(given) => format!("{option} {}", word(given)),
+        None => format!("{}, the default of {option}", word(default)),
+    }
+}
+
 /// Reads the words of a choice.
 pub(crate) fn one_of<T: Word>() -> impl TypedValueParser<Value = T> {
     let words = T::WORDS.iter();
@@ -209,6 +217,13 @@ mod tests {
         check::<Lists>();
         check::<Build>();
         check::<VolumeKind>();
+    }
+
+    #[test]
+    fn a_choice_that_nobody_wrote_is_told_as_the_default() {
+        let of = |given| choice("--strategy", given, StrategyName::Heap);
+        assert_eq!(of(Some(StrategyName::Grid)), "--strategy grid");
+        assert_eq!(of(None), "heap, the default of --strategy");
     }
 
     #[test]

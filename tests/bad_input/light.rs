@@ -301,6 +301,15 @@ error: --nearest has no effect with --transport forward
 
 "#]]
     );
+    // what went wrong: "has no effect with --transport hybrid-light", and nobody had written that
+    assert_data_eq!(
+        refuses_options("--nearest 9"),
+        str![[r#"
+error: --nearest has no effect with hybrid-light, the default of --transport
+  omit it, or use --transport hybrid-stored
+
+"#]]
+    );
     for (transport, unused) in [
         ("backward", "--seed 1"),
         ("hybrid-light", "--paths 10"),

@@ -28,7 +28,7 @@ error: --grid has no effect with --strategy exhaustive
     assert_data_eq!(
         refuses_options("--density 2"),
         str![[r#"
-error: --density has no effect with --strategy hierarchy
+error: --density has no effect with hierarchy, the default of --strategy
   omit it, or use --strategy grid
 
 "#]]

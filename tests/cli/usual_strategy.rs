@@ -158,17 +158,37 @@ fn a_log_says_which_strategy_was_chosen_and_is_explained_as_the_scene_is() {
 
 #[test]
 fn an_option_of_another_strategy_is_refused_with_the_one_that_is_used() {
+    // what went wrong: "has no effect with --strategy exhaustive", and nobody had written that
     let folder = Folder::with_scene();
-    let message = folder
-        .run("render scene.json -o a.png --density 3")
-        .refused();
-    assert!(
-        message.starts_with("error: --density has no effect with --strategy hierarchy\n"),
-        "{message}"
-    );
-    let message = folder.run("pixel scene.json 3,3 --density 3").refused();
-    assert!(
-        message.starts_with("error: --density has no effect with --strategy exhaustive\n"),
-        "{message}"
-    );
+    for (words, chosen) in [
+        (
+            "render scene.json -o a.png --density 3",
+            "hierarchy, the default of --strategy",
+        ),
+        (
+            "render scene.json -o a.png --heatmap tests --density 3",
+            "exhaustive, the default of --strategy",
+        ),
+        (
+            "pixel scene.json 3,3 --density 3",
+            "exhaustive, the default of --strategy",
+        ),
+        (
+            "pixel scene.json 3,3 --density 3 --strategy exhaustive",
+            "--strategy exhaustive",
+        ),
+        (
+            "pixel scene.json 3,3 --density 3 --strategy bounds",
+            "--strategy bounds and box, the default of --volume",
+        ),
+        (
+            "pixel scene.json 3,3 --density 3 --strategy bounds --volume box",
+            "--strategy bounds --volume box",
+        ),
+    ] {
+        let expected = format!(
+            "error: --density has no effect with {chosen}\n  omit it, or use --strategy grid\n"
+        );
+        assert_eq!(folder.run(words).refused(), expected, "{words}");
+    }
 }
