@@ -343,6 +343,7 @@ impl Counts {
     }
 
     /// One step of the search.
+    #[inline]
     fn searched(&mut self, event: &Event) {
         let search = &mut self.search;
         match event {
