@@ -16,7 +16,6 @@ use crate::strategy::fast::leaf_order::LeafOrder;
 use crate::strategy::fast::mailbox::Mailboxes;
 use crate::strategy::grid::{is_passed, walked};
 use crate::strategy::{Search, UniformGrid};
-use crate::trace::Off;
 
 /// What only speed wants beside the grid.
 #[derive(Clone, Debug)]
@@ -42,16 +41,8 @@ impl UniformGrid<'_> {
         let mut walk = Walk::new(&aids.ways, self.grid.cells(), ray, walked(range));
         while let Some((number, t_out)) = walk.step() {
             let listed = lists.range(number);
-            aids.objects.visit(lists.objects(), listed, ray, |object| {
-                let id = object.id();
-                if !is_first(id) {
-                    return ControlFlow::Continue(());
-                }
-                match object.test(self.scene, ray, search.range()) {
-                    Some(t) => search.offer(id, t, &mut Off),
-                    None => ControlFlow::Continue(()),
-                }
-            })?;
+            let order = lists.objects();
+            (aids.objects).test_some(self.scene, order, listed, ray, search, &mut is_first)?;
             let nearest = search.range().max;
             if nearest < range.max && is_passed(nearest, t_out) {
                 break;
