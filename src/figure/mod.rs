@@ -10,6 +10,8 @@ mod heat_map;
 mod kind;
 mod kinds;
 mod parts;
+#[cfg(test)]
+mod read_back;
 pub(crate) mod sheet;
 pub(crate) mod spec;
 mod subject;

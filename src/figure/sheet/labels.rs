@@ -12,6 +12,7 @@ use crate::figure::parts::turn::at_angle;
 use crate::figure::sheet::buckets::Buckets;
 use crate::figure::sheet::frame::Frame;
 use crate::figure::sheet::look::{Fill, Look};
+use crate::figure::sheet::text::Text;
 use crate::figure::sheet::{Anchor, Form, Label, Mark, Sheet, Words};
 
 /// What labels keep away from.
@@ -53,14 +54,39 @@ pub(in crate::figure) fn place_labels(sheet: &mut Sheet) {
                 sheet.path(Look::THIN.wide(0.75), vec![from, to]);
             });
         }
-        let middle = label.text.frame(Anchor::Middle, DVec2::ZERO, label.size);
-        sheet.words.push(Words {
-            since: label.since,
-            place: DVec2::new(place.frame.middle().x, place.frame.min.y - middle.min.y),
-            anchor: Anchor::Middle,
-            size: label.size,
-            text: label.text,
-        });
+        let whole = whole(&label).frame(Anchor::Middle, DVec2::ZERO, label.size);
+        let y = place.frame.min.y - whole.min.y;
+        let mut words = |since, x, anchor, text| {
+            sheet.words.push(Words {
+                since,
+                place: DVec2::new(x, y),
+                anchor,
+                size: label.size,
+                text,
+            });
+        };
+        let Some((later, more)) = label.later else {
+            words(
+                label.since,
+                place.frame.middle().x,
+                Anchor::Middle,
+                label.text,
+            );
+            continue;
+        };
+        // both parts begin where they meet, whatever the width of a page's letters
+        let meet = place.frame.min.x + label.text.width() * label.size;
+        words(label.since, meet, Anchor::End, label.text);
+        words(later, meet, Anchor::Start, more);
+    }
+}
+
+/// All that a label says in the end.
+fn whole(label: &Label) -> Text {
+    let text = label.text.clone();
+    match &label.later {
+        Some((_, more)) => text + more,
+        None => text,
     }
 }
 
@@ -97,7 +123,7 @@ fn best_place(label: &Label, obstacles: &Obstacles, crowded: bool) -> Option<Can
 /// The places around a point, the best first.
 fn candidates(label: &Label) -> Vec<Candidate> {
     let size = label.size;
-    let letters = label.text.frame(Anchor::Start, DVec2::ZERO, size);
+    let letters = whole(label).frame(Anchor::Start, DVec2::ZERO, size);
     let half = 0.5 * letters.size();
     if label.anywhere {
         // off the area's edges
@@ -295,6 +321,27 @@ mod tests {
                 assert_eq!(a.frame().shared_area(b.frame()), 0.0, "{a:?} {b:?}");
             }
         }
+    }
+
+    #[test]
+    fn a_label_that_goes_on_keeps_its_place() {
+        let mut sheet = sheet();
+        let body = sheet.body();
+        let stages = ["first", "second"].map(|name| sheet.stage(name, None, name));
+        sheet.at(stages[0], |sheet| {
+            let (at, more) = (DVec2::new(300.0, 200.0), (stages[1], ", the hit"));
+            sheet.label_that_goes_on(body, at, DVec2::X, "t = 3", more);
+        });
+        place_labels(&mut sheet);
+        let [first, second] = sheet.words.as_slice() else {
+            panic!("{:?}", sheet.words);
+        };
+        let since = [first, second].map(|words| words.since.stage);
+        assert_eq!(since, [Some(stages[0]), Some(stages[1])]);
+        assert_eq!(first.frame().max.x, second.frame().min.x);
+        assert_eq!(first.place.y, second.place.y);
+        // both are to the right of the point
+        assert!(300.0 < first.frame().min.x, "{first:?}");
     }
 
     #[test]

@@ -85,6 +85,8 @@ pub(in crate::figure) struct Label {
     pub(in crate::figure) anywhere: bool,
     /// Without room for it, it is left out.
     pub(in crate::figure) optional: bool,
+    /// How it goes on later.
+    pub(in crate::figure) later: Option<(Since, Text)>,
     pub(in crate::figure) size: f64,
 }
 
@@ -417,6 +419,7 @@ impl Sheet {
             within,
             anywhere: false,
             optional: false,
+            later: None,
             size: self.letters,
         });
     }
@@ -435,6 +438,23 @@ impl Sheet {
         }
     }
 
+    /// A label that goes on in a later stage: it has room from the first.
+    pub(in crate::figure) fn label_that_goes_on(
+        &mut self,
+        within: Frame,
+        of: DVec2,
+        towards: DVec2,
+        text: impl Into<Text>,
+        (stage, more): (StageId, impl Into<Text>),
+    ) {
+        let count = self.labels.len();
+        self.label(within, of, towards, text);
+        let later = self.at(stage, |sheet| sheet.since);
+        if let Some(label) = self.labels.get_mut(count) {
+            label.later = Some((later, more.into()));
+        }
+    }
+
     /// A label of an area, anywhere in it: in its upper left corner if that is free.
     pub(in crate::figure) fn label_in(&mut self, area: Frame, text: impl Into<Text>) {
         self.labels.push(Label {
@@ -445,6 +465,7 @@ impl Sheet {
             within: area,
             anywhere: true,
             optional: false,
+            later: None,
             size: self.letters,
         });
     }

@@ -1,0 +1,122 @@
+//! For the tests of the kinds: a trace that is made by hand, and its drawing read back.
+
+use glam::DVec2;
+use roxmltree::{Document, Node};
+use serde_json::Value;
+
+use crate::figure::draw;
+use crate::figure::sheet::Width;
+use crate::figure::sheet::canvas::Rendition;
+use crate::figure::spec::FigureSpec;
+use crate::figure::traced::Traced;
+use crate::scene::Scene;
+use crate::trace::{Event, Record, Settings};
+
+/// What a drawing's elements are named by here.
+const ID: &str = "read";
+
+/// A trace of pixel (0, 0) with these events, each with the number of its ray.
+pub(in crate::figure) fn traced(
+    scene: Scene,
+    events: impl IntoIterator<Item = (Option<u32>, Event)>,
+) -> Traced {
+    let record = |(step, (ray, event))| Record {
+        pixel: Some([0, 0]),
+        path: None,
+        step,
+        ray,
+        parent: None,
+        event,
+    };
+    Traced {
+        scene,
+        settings: Settings::default(),
+        records: (0..).zip(events).map(record).collect(),
+    }
+}
+
+/// A drawing as its SVG has it.
+pub(in crate::figure) struct ReadBack {
+    svg: String,
+}
+
+impl ReadBack {
+    /// Draws a figure of a hand-made trace; `spec` is what a lesson says about it, without its scene.
+    #[track_caller]
+    pub(in crate::figure) fn of(mut spec: Value, traced: Traced) -> Self {
+        spec["scene"] = "by hand".into();
+        let spec: FigureSpec = serde_json::from_value(spec).unwrap();
+        let drawn = draw(&spec, &[traced], ID, Width::Book, Rendition::default());
+        let svg = drawn.unwrap().svg;
+        Self { svg }
+    }
+
+    fn read<T>(&self, of: impl Fn(&Node) -> Option<T>) -> Vec<T> {
+        let document = Document::parse(&self.svg).unwrap();
+        document
+            .descendants()
+            .filter_map(|node| of(&node))
+            .collect()
+    }
+
+    /// The middles of the dots and circles whose area or line has a colour, such as `answer`.
+    pub(in crate::figure) fn dots(&self, colour: &str) -> Vec<DVec2> {
+        self.read(|node| {
+            let is_dot = node.has_tag_name("circle") && has_colour(node, colour);
+            is_dot.then(|| DVec2::new(number(node, "cx"), number(node, "cy")))
+        })
+    }
+
+    /// The points of the lines and polygons that have a colour.
+    pub(in crate::figure) fn paths(&self, colour: &str) -> Vec<Vec<DVec2>> {
+        self.read(|node| {
+            let is_path = node.has_tag_name("path") && has_colour(node, colour);
+            is_path.then(|| points(node.attribute("d").unwrap_or_default()))
+        })
+    }
+
+    /// The middles of the crosses: of two lines of one length that cross there.
+    pub(in crate::figure) fn crosses(&self, colour: &str) -> Vec<DVec2> {
+        let lines = self.paths(colour);
+        let middle = |line: &[DVec2]| (line[0] + line[1]) / 2.0;
+        let is_cross = |a: &[DVec2], b: &[DVec2]| {
+            a.len() == 2 && b.len() == 2 && middle(a).distance(middle(b)) < 0.02
+        };
+        let pairs = lines.windows(2).filter(|pair| is_cross(&pair[0], &pair[1]));
+        pairs.map(|pair| middle(&pair[0])).collect()
+    }
+
+    /// All texts, the letters of each with its indices on the line.
+    pub(in crate::figure) fn texts(&self) -> Vec<String> {
+        self.read(|node| {
+            let letters = || {
+                node.descendants()
+                    .filter_map(|of| of.text().filter(|_| of.is_text()))
+            };
+            node.has_tag_name("text").then(|| letters().collect())
+        })
+    }
+}
+
+fn has_colour(node: &Node, colour: &str) -> bool {
+    let classes = node.attribute("class").unwrap_or_default();
+    let own = ["line", "area"].map(|part| format!("{ID}_{colour}-{part}"));
+    classes
+        .split(' ')
+        .any(|class| own.iter().any(|of| of == class))
+}
+
+#[track_caller]
+fn number(node: &Node, key: &str) -> f64 {
+    node.attribute(key).unwrap().parse().unwrap()
+}
+
+#[track_caller]
+fn points(data: &str) -> Vec<DVec2> {
+    let numbers = data
+        .split(['M', 'L', 'Z', ' '])
+        .filter(|part| !part.is_empty());
+    let numbers: Vec<f64> = numbers.map(|number| number.parse().unwrap()).collect();
+    let pair = |pair: &[f64]| DVec2::new(pair[0], pair[1]);
+    numbers.chunks_exact(2).map(pair).collect()
+}
