@@ -351,12 +351,12 @@ fn images(sheet: &mut Sheet, space: &Space, seen: &[Seen], is_edge_on: bool) {
         return;
     };
     let look = Look::RAY.wide(4.0);
-    let images: [(fn(&Seen) -> DVec3, &str); 2] = [
-        (|of| of.on_window, "upright"),
-        (|of| of.on_negative, "upside down"),
+    let images = [
+        ([last, first].map(|of| of.on_window), "upright"),
+        ([last, first].map(|of| of.on_negative), "upside down"),
     ];
-    for (image, word) in images {
-        let [from, to] = [last, first].map(|of| space.place(image(of)));
+    for (ends, word) in images {
+        let [from, to] = ends.map(|end| space.place(end));
         sheet.arrow(look, from, to);
         let aside = DVec2::new((to - from).y.signum(), 0.0);
         sheet.label(space.frame, from.midpoint(to), -aside, word);
