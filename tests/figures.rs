@@ -1,9 +1,12 @@
 //! Every figure of every lesson: well-formed, legible, and the same from its log.
 
 use std::collections::HashSet;
+use std::io::Cursor;
 use std::path::Path;
 use std::sync::OnceLock;
 
+use base64::Engine as _;
+use base64::engine::general_purpose::STANDARD as BASE64;
 use raystep::figure::{UpTo, draw, text_width};
 use raystep::lesson::lesson_schema;
 use raystep::{
@@ -32,6 +35,13 @@ fn traced() -> &'static [(FigureName, FigureSpec, Vec<Traced>)] {
         };
         figures.into_iter().map(trace).collect()
     })
+}
+
+/// One of them by its name.
+fn figure(name: &str) -> (&'static FigureSpec, &'static [Traced]) {
+    let found = traced().iter().find(|(of, ..)| of.to_string() == name);
+    let (_, spec, traced) = found.unwrap_or_else(|| panic!("there is no figure {name}"));
+    (spec, traced)
 }
 
 /// Both widths, and what is written differently.
@@ -72,11 +82,26 @@ fn every_figure_is_well_formed_and_legible() {
 }
 
 #[test]
+fn no_figure_of_the_course_has_more_than_80_kb() {
+    for (name, spec, traced) in traced() {
+        let drawn = draw(spec, traced, ID, Width::Book, Rendition::default()).unwrap();
+        let size = drawn.svg.len();
+        assert!(size <= 80_000, "{name}: {size} bytes");
+    }
+}
+
+#[test]
 fn a_saved_log_gives_the_same_bytes() {
     for (name, spec, traced) in traced() {
+        let grey = Rendition {
+            grayscale: true,
+            ..Rendition::default()
+        };
         let drawn = |traced: &[Traced]| {
-            let drawn = draw(spec, traced, ID, Width::Book, Rendition::default());
-            drawn.unwrap_or_else(|error| panic!("{name}: {error}"))
+            [Rendition::default(), grey].map(|rendition| {
+                let drawn = draw(spec, traced, ID, Width::Book, rendition);
+                drawn.unwrap_or_else(|error| panic!("{name}: {error}"))
+            })
         };
         let mut log = Vec::new();
         for traced in traced {
@@ -179,11 +204,8 @@ fn the_printed_figures_have_their_labels() {
         // Fig. 15.62: ray R and the objects that it is tested against, no other
         ("12-grid/walk", &["R", "A", "B", "C"]),
     ] {
-        let library = library();
-        let figure: FigureName = name.parse().unwrap();
-        let (lesson, spec) = library.find(&figure).unwrap();
-        let traced = lesson.trace(&figure.figure, spec).unwrap();
-        let svg = draw(spec, &traced, ID, Width::Book, Rendition::default())
+        let (spec, traced) = figure(name);
+        let svg = draw(spec, traced, ID, Width::Book, Rendition::default())
             .unwrap()
             .svg;
         let texts = texts_of(&svg);
@@ -228,13 +250,10 @@ fn letters_of(node: Node) -> String {
 }
 
 /// The letters of a figure, and the events that it was drawn from.
-fn of_light(name: &str) -> (Vec<String>, Vec<Record>) {
-    let library = library();
-    let figure: FigureName = format!("08-transport/{name}").parse().unwrap();
-    let (lesson, spec) = library.find(&figure).unwrap();
-    let mut traced = lesson.trace(&figure.figure, spec).unwrap();
-    let drawn = draw(spec, &traced, ID, Width::Book, Rendition::default()).unwrap();
-    (texts_of(&drawn.svg), traced.remove(0).records)
+fn of_light(name: &str) -> (Vec<String>, &'static [Record]) {
+    let (spec, traced) = figure(&format!("08-transport/{name}"));
+    let drawn = draw(spec, traced, ID, Width::Book, Rendition::default()).unwrap();
+    (texts_of(&drawn.svg), &traced[0].records)
 }
 
 #[track_caller]
@@ -352,6 +371,19 @@ fn a_figure_that_follows_light_says_what_it_lacks() {
     }
 }
 
+/// A reference is a picture inside the drawing: a PNG that can be read, wide enough to be enlarged.
+#[track_caller]
+fn check_picture(place: &str, element: &str, uri: &str) {
+    assert_eq!(element, "image", "{place}");
+    let base64 = uri.strip_prefix("data:image/png;base64,");
+    let base64 = base64.unwrap_or_else(|| panic!("{place}: a reference to something outside"));
+    let png = BASE64.decode(base64).unwrap();
+    let mut reader = png::Decoder::new(Cursor::new(png)).read_info().unwrap();
+    let mut pixels = vec![0; reader.output_buffer_size().unwrap()];
+    reader.next_frame(&mut pixels).unwrap();
+    assert!(256 <= reader.info().width, "{place}");
+}
+
 /// What every drawing must be.
 #[track_caller]
 pub(crate) fn check_svg(name: &str, svg: &str) {
@@ -372,7 +404,11 @@ pub(crate) fn check_svg(name: &str, svg: &str) {
         for attribute in node.attributes() {
             let value = attribute.value();
             let place = format!("{name}: {}=\"{value}\"", attribute.name());
-            let refers = value.contains("url(") || attribute.name() == "href";
+            if attribute.name() == "href" {
+                check_picture(&place, node.tag_name().name(), value);
+                continue;
+            }
+            let refers = value.contains("url(");
             assert!(!refers, "{place}: a reference breaks where ids are renamed");
             let numbers = [
                 "x",

@@ -40,8 +40,9 @@ const CORE: [&str; 9] = [
 ];
 
 /// Every crate that a layer may name, and which layers may; the command line may name any.
-const CRATES_OF: [(&str, &[&str]); 18] = [
+const CRATES_OF: [(&str, &[&str]); 20] = [
     ("anstyle", &["explain"]),
+    ("base64", &["trace", "figure"]),
     ("font8x8", &["figure"]),
     (
         "glam",
@@ -64,6 +65,7 @@ const CRATES_OF: [(&str, &[&str]); 18] = [
         &["geometry", "scene", "structure", "explain", "figure"],
     ),
     ("memchr", &["scene", "trace"]),
+    ("png", &["trace"]),
     ("pulldown_cmark", &["book"]),
     ("rand", &["tracer"]),
     ("rayon", &["parallel"]),
@@ -88,9 +90,10 @@ const CRATES_OF: [(&str, &[&str]); 18] = [
 ];
 
 /// The crates of others.
-const CRATES: [&str; 26] = [
+const CRATES: [&str; 27] = [
     "anstream",
     "anstyle",
+    "base64",
     "clap",
     "clap_complete",
     "ctrlc",

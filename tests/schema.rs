@@ -8,6 +8,7 @@ use raystep::trace::{Kind, scene_schema, trace_schema};
 use serde_json::{Value, json};
 
 use crate::bad_input::light::LAMP;
+use crate::cli::figures::course;
 use crate::cli::run::Folder;
 use crate::recording::NFF;
 use crate::trace_log::strategies::{built_cases, log_with_building};
@@ -185,6 +186,19 @@ fn made_lines() -> Vec<Value> {
         let text = String::from_utf8(log_with_building(&scene, &settings, pixel)).unwrap();
         lines.extend(text.lines().map(parsed));
     }
+    // what the log of a figure holds of every pixel
+    let folder = course().with(
+        "lessons/01-ball/lesson.json",
+        r#"{ "title": "A ball", "figures": {
+            "picture": { "kind": "picture", "scene": "scene.json" },
+            "heat": { "kind": "heat", "scene": "scene.json", "strategies": ["exhaustive", "grid"] } } }"#,
+    );
+    for figure in ["picture", "heat"] {
+        let words = format!("figure 01-ball/{figure} --write-log log.jsonl -o f.svg");
+        folder.run(&words).well();
+        let text = String::from_utf8(folder.read("log.jsonl")).unwrap();
+        lines.extend(text.lines().map(parsed));
+    }
     // an eye that is wider than anybody's, and of the paths those that arrive in it
     let folder = Folder::empty().with("scene.json", LAMP);
     for options in [
@@ -216,7 +230,7 @@ fn every_line_of_a_log_is_allowed_and_all_kinds_occur() {
         check_allowed(&schema, kind_of(line), line);
     }
     let kinds: BTreeSet<&str> = lines.iter().map(kind_of).collect();
-    let heads = ["trace", "object"].into_iter();
+    let heads = ["trace", "object", "picture", "pixel_tests"].into_iter();
     let all = heads.chain(Kind::ALL.into_iter().map(Kind::name)).collect();
     assert_eq!(kinds, all);
 }
@@ -287,6 +301,12 @@ fn a_head_with_a_wrong_key_or_value_is_refused() {
         ("object", "/shape/sphere/radius", Some(json!(0))),
         ("object", "/step", Some(json!(0))),
         ("object", "/kind", Some(json!("trace"))),
+        ("picture", "/png", None),
+        ("picture", "/pixels", Some(json!([1]))),
+        ("picture", "/pixel", Some(json!([0, 0]))),
+        ("pixel_tests", "/row", Some(json!(-1))),
+        ("pixel_tests", "/cells", None),
+        ("pixel_tests", "/nodes", Some(json!(3))),
     ] {
         let mut line = of(kind).clone();
         set(&mut line, pointer, to.clone());

@@ -6,6 +6,7 @@ use std::time::Instant;
 
 use raystep::trace::{
     Budget, Filter, Kind, Kinds, LineSink, LogNames, PathSieve, Region, Sink, write_log_head,
+    write_of_pixels,
 };
 use raystep::tracer::{LogOptions, LogStopped, LoggedPaths, paths_behind_region};
 use raystep::{Chosen, ChosenTracer, Counts, Record, Scene, Settings, Tracer, record_log};
@@ -217,7 +218,8 @@ fn filter_again(mut log: Log, args: &TraceArgs, started: Instant) -> Result<(), 
 
     // a log may take its own place: it is read to its end first
     let mut out = Output::create(&args.output, &Taken::nothing())?;
-    let written = write_log_head(log.scene(), &settings, &mut out);
+    let written = write_log_head(log.scene(), &settings, &mut out)
+        .and_then(|()| write_of_pixels(log.of_pixels(), &mut out));
     written.map_err(|error| out.failed(error))?;
     let names = LogNames::new(log.scene());
     let wanted = Wanted {

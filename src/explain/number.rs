@@ -150,8 +150,8 @@ pub(crate) fn cell_name([i, j, k]: [u32; 3]) -> String {
 }
 
 /// A count with its digits in groups of three, as in 104 857 600.
-pub fn grouped(count: u64) -> String {
-    let digits = count.to_string();
+pub fn grouped(count: impl Into<u128>) -> String {
+    let digits = count.into().to_string();
     let mut text = String::with_capacity(digits.len() + digits.len() / 3);
     for (i, digit) in digits.chars().enumerate() {
         if 0 < i && (digits.len() - i).is_multiple_of(3) {

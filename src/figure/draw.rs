@@ -6,7 +6,7 @@ use crate::figure::parts::picture;
 use crate::figure::sheet::canvas::{Canvas, Rendition, UpTo};
 use crate::figure::sheet::stage::Stage;
 use crate::figure::sheet::{Sheet, Width};
-use crate::figure::spec::{FigureSpec, Layer};
+use crate::figure::spec::{FigureKind, FigureSpec, Layer};
 use crate::figure::subject::Figure;
 use crate::figure::traced::Traced;
 
@@ -72,7 +72,7 @@ pub fn draw(
         body = sheet.heading(body, &figure.title());
     }
     if spec.show.contains(&Layer::Image) {
-        body = picture::beside(&figure, &mut sheet, body);
+        body = picture::beside(&figure, &mut sheet, body)?;
     }
     let description = (kind.draw)(&figure, &mut sheet, body)?;
     let marks = sheet.marks.iter().map(|mark| mark.since.step);
@@ -130,17 +130,25 @@ fn story(stages: &[DrawnStage], up_to: UpTo) -> String {
     told.join(" ")
 }
 
-/// Is the log of a figure all there? Its pixels all have a colour, and there is one trace for each variant.
+/// Is the log of a figure all there? It has what the figure shows up to the colour of the last pixel, once for each variant.
 fn is_whole(spec: &FigureSpec, traced: &[Traced]) -> Result<(), FigureError> {
     let of_figure = |of: &&Traced| of.settings.figure.is_some();
     if !traced.iter().all(|of| of_figure(&of)) {
         // a log of another kind has what it has
         return Ok(());
     }
+    let [width, height] = traced[0].scene.camera.pixels;
+    // its colour closes the log
+    let last = [width - 1, height - 1];
     let variants = spec.strategies.len().max(1) * spec.volumes.len().max(1);
     let paths = spec.paths.unwrap_or(0) as usize;
-    let cut = |of: &&Traced| of.picture().iter().any(Option::is_none) || of.paths().len() < paths;
-    if traced.len() == variants && !traced.iter().any(|of| cut(&of)) {
+    let cut = |of: &&Traced| {
+        let mut pixels = spec.traced_pixels().into_iter().chain([last]);
+        let has_no_tests = spec.kind == FigureKind::Heat && of.of_pixels.tests.is_empty();
+        pixels.any(|pixel| !of.has_colour(pixel)) || of.paths().len() < paths || has_no_tests
+    };
+    let has_picture = traced[0].of_pixels.picture.is_some() || !spec.shows_picture();
+    if traced.len() == variants && has_picture && !traced.iter().any(|of| cut(&of)) {
         return Ok(());
     }
     Err(FigureError::of_log(

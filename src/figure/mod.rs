@@ -27,7 +27,6 @@ pub(crate) use sheet::canvas::Rendition;
 pub use sheet::canvas::UpTo;
 pub use sheet::font::text_width;
 pub(crate) use spec::FigureSpec;
-pub use spec::{DroppedAxis, FigureKind, Layer};
-pub use traced::OF_EVERY_PIXEL;
+pub use spec::{DroppedAxis, FigureKind, Fineness, Layer};
 pub(crate) use traced::Traced;
 pub use view::View;

@@ -41,9 +41,6 @@ pub struct FigureSpec {
     /// Several strategies on the same rays, for the kinds that compare them.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub strategies: Vec<StrategyName>,
-    /// Do several maps share one scale? Usually each has its own.
-    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
-    pub one_scale: bool,
     /// Several bounding volumes around the same objects, for the kind that compares them.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub volumes: Vec<VolumeKind>,
@@ -66,6 +63,9 @@ pub struct FigureSpec {
     /// The size of the picture in pixels, in place of the scene's.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub size: Option<[u32; 2]>,
+    /// How fine the picture is, if the figure shows one; usually so that it is at least 256 pixels wide.
+    #[serde(default, skip_serializing_if = "Fineness::is_usual")]
+    pub picture: Fineness,
     /// From where the scene is seen.
     #[serde(default)]
     pub view: View,
@@ -81,6 +81,34 @@ pub struct FigureSpec {
     /// The last step of the trace that is shown; usually all are.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub step: Option<u32>,
+}
+
+/// How fine the picture in a figure is: its pixels are smaller than the scene's, and each is the mean of several eye rays.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(JsonSchema))]
+#[serde(deny_unknown_fields)]
+pub struct Fineness {
+    /// How many of its pixels lie along each side of one of the scene's pixels; usually as many as make it 256 wide.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub finer: Option<u32>,
+    /// How many eye rays there are along each side of one of its pixels; usually 2, which is 4 in all.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub samples: Option<u32>,
+}
+
+impl Fineness {
+    fn is_usual(&self) -> bool {
+        *self == Self::default()
+    }
+}
+
+impl FigureSpec {
+    /// Does the figure show the picture of the scene?
+    pub(crate) fn shows_picture(&self) -> bool {
+        let shows_pixels = self.show.is_empty() || self.show.contains(&Layer::Pixels);
+        let on_window = self.kind == FigureKind::Pinhole && shows_pixels;
+        self.kind == FigureKind::Picture || self.show.contains(&Layer::Image) || on_window
+    }
 }
 
 /// What a figure draws.
@@ -134,7 +162,7 @@ pub enum FigureKind {
     Costs,
     /// What each pixel cost.
     Heat,
-    /// The picture, its pixels as squares, the traced ones marked.
+    /// The picture, the traced pixels marked.
     Picture,
 }
 

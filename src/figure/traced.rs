@@ -3,20 +3,22 @@
 
 use std::io::{self, BufRead, Write};
 
-use glam::DVec3;
-
+use crate::figure::sheet::image::Image;
 use crate::scene::{LONGEST_LINE, ReadEnd, Scene, read_up_to};
 use crate::trace::{
-    Event, EventWriter, Kind, LogError, LogNames, LogReader, Record, Settings, write_log_head,
+    Event, EventWriter, LogError, LogNames, LogReader, OfPixels, Record, Settings, write_log_head,
+    write_of_pixels,
 };
 
-/// The log of a figure: every event of the pixels that it draws, and of all others the colour.
+/// The log of a figure: every event of the pixels that it draws, and of all pixels what else it shows.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Traced {
     /// The scene that was traced, read from the log where the figure is drawn from one.
     pub scene: Scene,
     /// How it was traced; `whole` names the pixels that are drawn.
     pub settings: Settings,
+    /// What it holds of every pixel: the picture, or how many tests each took.
+    pub of_pixels: OfPixels,
     /// What was recorded, pixel after pixel, the building of the structure first.
     pub records: Vec<Record>,
 }
@@ -52,10 +54,6 @@ impl<'a> Section<'a> {
     }
 }
 
-/// The kinds of event that a figure's log may keep of every pixel: its colour, how many tests each ray took, what light
-/// was gathered.
-pub const OF_EVERY_PIXEL: [Kind; 3] = [Kind::PixelColour, Kind::RayEnd, Kind::Gathered];
-
 impl Traced {
     /// Writes it as a log. Several logs behind each other are one figure's.
     ///
@@ -63,6 +61,7 @@ impl Traced {
     /// A failing output.
     pub fn write(&self, out: &mut impl Write) -> io::Result<()> {
         write_log_head(&self.scene, &self.settings, out)?;
+        write_of_pixels(&self.of_pixels, out)?;
         let names = LogNames::new(&self.scene);
         let mut writer = EventWriter::new(&names);
         let mut lines = Vec::new();
@@ -89,6 +88,7 @@ impl Traced {
             all.push(Self {
                 scene: reader.scene().clone(),
                 settings: reader.settings().clone(),
+                of_pixels: reader.of_pixels().clone(),
                 records,
             });
             if next.is_empty() {
@@ -133,28 +133,42 @@ impl Traced {
         self.records.iter().filter(of_none)
     }
 
-    /// The colour of each pixel, from the top left, cut to 0..1; `None` where the log has none.
-    pub(super) fn picture(&self) -> Vec<Option<DVec3>> {
-        self.of_pixels(None, |seen, event| {
-            if let Event::PixelColour(colour) = event {
-                *seen = Some(colour.clamped);
-            }
-        })
-    }
-
-    /// Something about each pixel, gathered from its events.
-    pub(super) fn of_pixels<T: Clone>(&self, none: T, gather: impl Fn(&mut T, &Event)) -> Vec<T> {
-        let [width, height] = self.scene.camera.pixels.map(|side| side as usize);
-        let mut all = vec![none; width * height];
-        for record in &self.records {
-            let Some([x, y]) = record.pixel else {
-                continue;
-            };
-            if let Some(seen) = all.get_mut(y as usize * width + x as usize) {
-                gather(seen, &record.event);
+    /// The picture: the one that was traced for the figure, or the colours of the pixels that the log has, as squares.
+    /// `None` if it has none.
+    pub(super) fn picture(&self) -> Option<Image> {
+        if let Some(picture) = &self.of_pixels.picture {
+            return Some(Image::of_rgb(picture.pixels, &picture.rgb).in_squares());
+        }
+        let mut colours = vec![None; self.pixel_count()];
+        for (place, event) in self.events_of_pixels() {
+            if let (Some(seen), Event::PixelColour(colour)) = (colours.get_mut(place), event) {
+                let rgb = (colour.clamped * 255.0).round().to_array();
+                *seen = Some(rgb.map(|of| of as u8));
             }
         }
-        all
+        let is_known = colours.iter().any(Option::is_some);
+        is_known.then(|| Image::new(self.scene.camera.pixels, colours).in_squares())
+    }
+
+    /// Has this pixel a colour? It is the last event of a pixel.
+    pub(super) fn has_colour(&self, pixel: [u32; 2]) -> bool {
+        let last = self.pixel(pixel).last();
+        last.is_some_and(|record| matches!(record.event, Event::PixelColour(_)))
+    }
+
+    /// How many pixels the scene's camera has.
+    pub(super) fn pixel_count(&self) -> usize {
+        let [width, height] = self.scene.camera.pixels.map(|side| side as usize);
+        width * height
+    }
+
+    /// The events of pixels, each with the place of its pixel, row by row from the top left.
+    pub(super) fn events_of_pixels(&self) -> impl Iterator<Item = (usize, &Event)> {
+        let width = self.scene.camera.pixels[0] as usize;
+        self.records.iter().filter_map(move |record| {
+            let [x, y] = record.pixel?;
+            Some((y as usize * width + x as usize, &record.event))
+        })
     }
 }
 
@@ -216,6 +230,7 @@ mod tests {
         let traced = Traced {
             scene: Scene::new(file).unwrap(),
             settings: Settings::default(),
+            of_pixels: OfPixels::default(),
             records,
         };
         let steps = |section: &Section| {

@@ -6,6 +6,7 @@ use std::io;
 use crate::figure::FigureError;
 use crate::scene::{LoadError, Place, printable};
 use crate::trace::LogError;
+use crate::tracer::Stopped;
 
 /// Why a lesson's figure cannot be had.
 #[derive(Debug)]
@@ -103,4 +104,13 @@ impl From<LogError> for LessonError {
     fn from(error: LogError) -> Self {
         Self::Log(error)
     }
+}
+
+/// A tree of rays that does not end, as a mistake in the figure.
+pub(super) fn too_many_rays(stopped: &Stopped) -> FigureError {
+    FigureError::new(
+        "scene",
+        stopped.to_string(),
+        "lower the scene's \"max_depth\", or its reflection and transmission",
+    )
 }

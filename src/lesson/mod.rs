@@ -5,6 +5,7 @@ mod compare_transports;
 mod error;
 mod file;
 pub(crate) mod library;
+mod picture;
 mod trace;
 
 pub use compare::{compare, scan_lines_to_compare};

@@ -3,17 +3,23 @@
 use std::collections::BTreeSet;
 use std::ops::ControlFlow;
 
-use crate::figure::{FigureError, FigureKind, FigureSpec, OF_EVERY_PIXEL, Traced};
+use crate::figure::{FigureError, FigureKind, FigureSpec, Traced};
 use crate::lesson::LessonError;
+use crate::lesson::error::too_many_rays;
+use crate::lesson::picture::trace_picture;
+use crate::parallel;
 use crate::scene::Loaded;
 use crate::strategy::{Chosen, Strategy};
 use crate::structure::{StructureOptions, VolumeKind};
-use crate::trace::{Kind, Kinds, Off, Record, Recording, Region, Settings, Sink, StrategyName};
+use crate::trace::{
+    Kind, Kinds, OfPixels, Off, Record, Recording, Region, Settings, Sink, StrategyName,
+    TestsOfRow, Through,
+};
 use crate::tracer::{
-    LightError, LightPass, Stopped, Tracer, check_light, paths_behind, trace_pixel,
+    Heat, HeatLine, LightError, LightPass, Stopped, Tracer, check_light, paths_behind, trace_pixel,
 };
 
-/// The most pixels that a figure's picture may have: all are traced, and each is a square.
+/// The most pixels that a figure may have of which every one is recorded.
 const MOST_PIXELS: u64 = 512 * 512;
 
 /// The most paths of light that are followed for a figure: some ten seconds.
@@ -40,11 +46,13 @@ pub fn trace_figure(
     }
     let scene = loaded.build()?;
     let [width, height] = scene.camera.pixels;
-    if MOST_PIXELS < u64::from(width) * u64::from(height) {
+    if (records_every_pixel(spec.kind) || spec.kind == FigureKind::Heat)
+        && MOST_PIXELS < u64::from(width) * u64::from(height)
+    {
         return Err(error(
             "size",
             format!(
-                "a figure's picture of {width} × {height} pixels is too large: every pixel is traced"
+                "{width} × {height} pixels are too many for this kind of figure, which records every pixel"
             ),
             "give the figure a \"size\" of at most 512 × 512 in all, such as [48, 36]",
         ));
@@ -61,21 +69,6 @@ pub fn trace_figure(
     check_paths(spec, [width, height]).map_err(&wrong)?;
 
     let kept = kept(spec.kind);
-    let strategies: &[StrategyName] = match spec.strategies.as_slice() {
-        [] => &[spec.strategy],
-        several => several,
-    };
-    let volumes: &[VolumeKind] = match spec.volumes.as_slice() {
-        [] => &[spec.structure.volume],
-        several => several,
-    };
-    let variants = strategies.iter().flat_map(|&strategy| {
-        let with = |&volume: &VolumeKind| StructureOptions {
-            volume,
-            ..spec.structure
-        };
-        volumes.iter().map(move |volume| (strategy, with(volume)))
-    });
     let trace = |(strategy, structure): (StrategyName, StructureOptions)| {
         let settings = Settings {
             strategy,
@@ -116,16 +109,54 @@ pub fn trace_figure(
         record(&tracer, spec, &whole, &mut recording)
             .map_err(|stopped| wrong(too_many_rays(&stopped)))?;
         let records = recording.into_sink().records;
-        Ok(Traced {
+        let mut of_pixels = OfPixels::default();
+        if spec.kind == FigureKind::Heat {
+            let tests = tests_of_pixels(&tracer, spec.through);
+            of_pixels.tests = tests.map_err(|stopped| wrong(too_many_rays(&stopped)))?;
+        }
+        let traced = Traced {
             scene: scene.clone(),
             settings,
+            of_pixels,
             records,
-        })
+        };
+        Ok((traced, light))
     };
-    variants.map(trace).collect()
+    let traced: Result<Vec<_>, LessonError> = variants(spec).into_iter().map(trace).collect();
+    let mut traced = traced?;
+    if spec.shows_picture()
+        && let Some((first, light)) = traced.first_mut()
+    {
+        let picture = trace_picture(&scene, spec, light.as_ref());
+        first.of_pixels.picture = Some(picture.map_err(&wrong)?);
+    }
+    Ok(traced.into_iter().map(|(traced, _)| traced).collect())
 }
 
-/// Records the paths of light that a figure shows, then every pixel.
+/// The strategies with the structures that a figure compares, or the one that it shows.
+fn variants(spec: &FigureSpec) -> Vec<(StrategyName, StructureOptions)> {
+    let strategies: &[StrategyName] = match spec.strategies.as_slice() {
+        [] => &[spec.strategy],
+        several => several,
+    };
+    let volumes: &[VolumeKind] = match spec.volumes.as_slice() {
+        [] => &[spec.structure.volume],
+        several => several,
+    };
+    let of_strategy = |&strategy: &StrategyName| {
+        volumes.iter().map(move |&volume| {
+            let structure = StructureOptions {
+                volume,
+                ..spec.structure
+            };
+            (strategy, structure)
+        })
+    };
+    strategies.iter().flat_map(of_strategy).collect()
+}
+
+/// Records the paths of light that a figure shows, then its pixels, and the last one of the picture: its colour closes the
+/// log, so that a log without its end is known by it.
 fn record<S: Strategy>(
     tracer: &Tracer<'_, S>,
     spec: &FigureSpec,
@@ -136,21 +167,36 @@ fn record<S: Strategy>(
         tracer.trace_path(path, recording)?;
     }
     let [width, height] = tracer.scene.camera.pixels;
-    for y in 0..height {
-        for x in 0..width {
-            trace_pixel(tracer, [x, y], spec.through, recording)?;
-        }
+    let mut pixels: BTreeSet<[u32; 2]> = whole.iter().map(|[x, y]| [*y, *x]).collect();
+    pixels.insert([height - 1, width - 1]);
+    if records_every_pixel(spec.kind) {
+        pixels.extend((0..height).flat_map(|y| (0..width).map(move |x| [y, x])));
+    }
+    for [y, x] in pixels {
+        trace_pixel(tracer, [x, y], spec.through, recording)?;
     }
     Ok(())
 }
 
-/// A tree of rays that does not end, as a mistake in the figure.
-fn too_many_rays(stopped: &Stopped) -> FigureError {
-    FigureError::new(
-        "scene",
-        stopped.to_string(),
-        "lower the scene's \"max_depth\", or its reflection and transmission",
-    )
+/// How many tests the rays of each pixel take, row by row.
+fn tests_of_pixels<S: Strategy>(
+    tracer: &Tracer<'_, S>,
+    through: Through,
+) -> Result<Vec<TestsOfRow>, Stopped> {
+    let [width, height] = tracer.scene.camera.pixels;
+    let of_row = |row: usize| {
+        let mut tests = TestsOfRow::default();
+        for x in 0..width {
+            let mut line = HeatLine::default();
+            trace_pixel(tracer, [x, row as u32], through, &mut line)?;
+            let sum = |of: fn(&Heat) -> u64| line.heats.iter().map(of).sum();
+            tests.objects.push(sum(|heat| heat.tests));
+            tests.nodes.push(sum(|heat| heat.nodes));
+            tests.cells.push(sum(|heat| heat.cells));
+        }
+        Ok(tests)
+    };
+    parallel::map(height as usize, of_row).into_iter().collect()
 }
 
 /// Does this kind of figure draw paths of light?
@@ -222,12 +268,17 @@ fn shown_paths<S: Strategy>(
     Ok(shown)
 }
 
-/// What is kept of every pixel.
+/// Does the log keep events of every pixel?
+fn records_every_pixel(kind: FigureKind) -> bool {
+    kind == FigureKind::Irradiance
+}
+
+/// What is kept of the pixels that are not drawn.
 fn kept(kind: FigureKind) -> &'static [Kind] {
-    match kind {
-        FigureKind::Heat => &OF_EVERY_PIXEL[..2],
-        FigureKind::Irradiance => &[Kind::PixelColour, Kind::Gathered],
-        _ => &OF_EVERY_PIXEL[..1],
+    if records_every_pixel(kind) {
+        &[Kind::PixelColour, Kind::Gathered]
+    } else {
+        &[Kind::PixelColour]
     }
 }
 

@@ -21,9 +21,11 @@ pub(crate) use log::Through;
 pub(crate) use log::Transport;
 #[cfg(feature = "schema")]
 pub(crate) use log::generator;
+pub(crate) use log::png_bytes;
 pub(crate) use log::{EventWriter, write_event};
 pub use log::{
-    LOG_VERSION, LightOptions, LineSink, LogError, LogNames, begins_log, write_log_head,
+    LOG_VERSION, LightOptions, LineSink, LogError, LogNames, LoggedPicture, OfPixels, TestsOfRow,
+    begins_log, write_log_head, write_of_pixels,
 };
 #[cfg(feature = "schema")]
 pub use log::{scene_schema, trace_schema};

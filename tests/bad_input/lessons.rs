@@ -39,7 +39,19 @@ fn a_figure_that_cannot_be_drawn_is_told_with_its_line() {
     );
     refuses(
         r#"{ "kind": "picture", "scene": "scene.json", "size": [4000, 4000] }"#,
-        &[&at(".size"), "too large", "[48, 36]"],
+        &[
+            &at(".picture"),
+            "too many",
+            "at most 4 million eye rays in all",
+        ],
+    );
+    refuses(
+        r#"{ "kind": "picture", "scene": "scene.json", "picture": { "finer": 9, "samples": 0 } }"#,
+        &[&at(".picture"), "9 × 9 pixels with 0 × 0 eye rays each"],
+    );
+    refuses(
+        r#"{ "kind": "heat", "scene": "scene.json", "size": [4000, 4000] }"#,
+        &[&at(".size"), "too many", "[48, 36]"],
     );
     refuses(
         r#"{ "kind": "rays", "scene": "scene.json", "pixel": [4, 4], "strategy": "grid",

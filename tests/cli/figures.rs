@@ -1,7 +1,11 @@
 //! `raystep figure` and `raystep figures`: files, logs, steps, and the check.
 
 use std::fs;
+use std::io::Cursor;
 use std::path::Path;
+
+use base64::Engine as _;
+use base64::engine::general_purpose::STANDARD as BASE64;
 
 use super::run::Folder;
 
@@ -73,14 +77,20 @@ fn a_saved_log_draws_the_same_bytes_without_the_scene() {
 }
 
 #[test]
-fn the_log_of_a_figure_has_every_colour_and_all_of_its_pixel() {
+fn the_log_of_a_figure_has_all_of_its_pixel_and_the_colour_of_the_last() {
     let folder = course();
     folder
         .run("figure 01-ball/hit --write-log hit.jsonl -o hit.svg")
         .well();
     let log = text(folder.read("hit.jsonl"));
-    // 9 × 9 pixels
-    assert_eq!(log.matches("{\"kind\":\"pixel_colour\"").count(), 81);
+    let colours = || {
+        log.lines()
+            .filter(|line| line.contains("\"kind\":\"pixel_colour\""))
+    };
+    assert_eq!(colours().count(), 2);
+    let last = log.lines().last().unwrap();
+    assert!(last.contains("\"kind\":\"pixel_colour\"") && last.contains("\"pixel\":[8,8]"));
+    assert!(!log.contains("\"kind\":\"picture\""));
     let tests: Vec<&str> = log
         .lines()
         .filter(|line| line.contains("sphere_test"))
@@ -93,6 +103,62 @@ fn the_log_of_a_figure_has_every_colour_and_all_of_its_pixel() {
     // it is a log as any other
     let worked = text(folder.run("pixel hit.jsonl 4,4").well());
     assert!(worked.contains("b² − 4ac = 100 − 96 = 4"), "{worked}");
+}
+
+#[test]
+fn the_log_of_a_picture_holds_it_finer_than_the_pixels_of_its_scene() {
+    let white = SCENE.replace("\"materials\"", "\"background\": [1, 1, 1], \"materials\"");
+    let folder = course().with("lessons/01-ball/scene.json", &white);
+    folder
+        .run("figure 01-ball/picture --write-log p.jsonl -o p.svg")
+        .well();
+    let log = text(folder.read("p.jsonl"));
+    let line = log
+        .lines()
+        .find(|line| line.contains("\"kind\":\"picture\""))
+        .unwrap();
+    let line: serde_json::Value = serde_json::from_str(line).unwrap();
+    // 29 times 9 is the first multiple from 256 on
+    assert_eq!(line["pixels"], serde_json::json!([261, 261]));
+    assert_eq!(line["samples"], 4);
+    // the drawing has the same PNG
+    let svg = text(folder.read("p.svg"));
+    let uri = format!("data:image/png;base64,{}", line["png"].as_str().unwrap());
+    assert!(svg.contains(&uri));
+
+    // no light shines on the ball: it is black before white, and a pixel of its edge is neither
+    let png = BASE64.decode(line["png"].as_str().unwrap()).unwrap();
+    let mut reader = png::Decoder::new(Cursor::new(png)).read_info().unwrap();
+    let mut rgb = vec![0; 3 * 261 * 261];
+    reader.next_frame(&mut rgb).unwrap();
+    let row: Vec<[u8; 3]> = rgb[3 * 261 * 130..3 * 261 * 131]
+        .chunks_exact(3)
+        .map(|of| of.try_into().unwrap())
+        .collect();
+    assert_eq!([row[0], row[130]], [[255; 3], [0; 3]]);
+    let edge = row.iter().position(|of| *of != [255; 3]).unwrap();
+    // tan 20° is half of the window, and the silhouette of a ball of radius 1 at distance 5 is at 1/√24: it begins
+    // 130.5 · (1 − 0.20412/0.36397) = 57.3 pixels from the left
+    assert_eq!(edge, 57);
+    assert_ne!(row[edge], [0; 3]);
+
+    // a log without its last line, or without its picture, is refused
+    let lines: Vec<&str> = log.lines().collect();
+    let without = |left_out: usize| {
+        let kept = lines.iter().enumerate().filter(|(at, _)| *at != left_out);
+        kept.flat_map(|(_, line)| [*line, "\n"]).collect::<String>()
+    };
+    let picture = lines.iter().position(|line| line.contains("\"png\""));
+    for left_out in [lines.len() - 1, picture.unwrap()] {
+        let folder = course().with("cut.jsonl", without(left_out));
+        let ran = folder.run("figure 01-ball/picture --log cut.jsonl");
+        assert_eq!(ran.code, Some(2), "{}", ran.stderr);
+        assert!(
+            ran.stderr.contains("the log of this figure is not whole"),
+            "{}",
+            ran.stderr
+        );
+    }
 }
 
 #[test]

@@ -12,7 +12,7 @@ use crate::figure::parts::scale_bar;
 use crate::figure::sheet::Sheet;
 use crate::figure::sheet::canvas::quantity;
 use crate::figure::sheet::frame::Frame;
-use crate::figure::sheet::look::Look;
+use crate::figure::sheet::image::Image;
 use crate::figure::spec::Layer;
 use crate::figure::subject::Figure;
 use crate::figure::traced::Traced;
@@ -30,8 +30,8 @@ struct Map(Vec<Option<f64>>);
 
 impl Map {
     fn of(traced: &Traced) -> Self {
-        let [width, height] = traced.scene.camera.pixels.map(|side| side as usize);
-        let mut map = vec![None; width * height];
+        let width = traced.scene.camera.pixels[0] as usize;
+        let mut map = vec![None; traced.pixel_count()];
         for record in &traced.records {
             // what other rays of the pixel gather lies elsewhere
             let (Some([x, y]), Event::Gathered(gathered), Some(0)) =
@@ -107,20 +107,20 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
         min: body.min,
         max: body.max - DVec2::new(0.0, below),
     };
-    let squares = picture::squares(sheet, room, figure.scene.camera.pixels, &map.colours(most));
+    let image = Image::new(figure.scene.camera.pixels, map.colours(most)).in_squares();
+    let whole = picture::draw_image(sheet, room, image);
     if let Some(([x, y], step)) = marked {
         sheet.step(step, |sheet| {
+            let side = whole.size() / DVec2::from(figure.scene.camera.pixels.map(f64::from));
+            let corner = whole.min + side * DVec2::new(f64::from(x), f64::from(y));
             let pixel = Frame {
-                min: squares.at(x, y),
-                max: squares.at(x + 1, y + 1),
+                min: corner,
+                max: corner + side,
             };
-            // on any colour: dark inside light
-            sheet.rectangle(Look::PAPER_LINE, pixel.wider(2.0 * sheet.unit()));
-            sheet.rectangle(Look::THIN.wide(1.5), pixel.wider(1.0 * sheet.unit()));
+            sheet.on_picture(&pixel.wider(sheet.unit()).corners(), true);
         });
     }
     if figure.shows(Layer::Legend) {
-        let whole = squares.whole;
         let bar = Frame {
             min: DVec2::new(whole.min.x, whole.max.y + 0.5 * line),
             max: DVec2::new(whole.max.x, whole.max.y + 1.5 * line),

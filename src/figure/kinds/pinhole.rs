@@ -262,38 +262,20 @@ impl Case {
     }
 }
 
-/// The colours of the pixels, on the window and on the negative; what sees the background is left clear.
+/// The picture on the window, and upside down on the negative.
 fn picture(figure: &Figure, sheet: &mut Sheet, space: &Space) {
+    let Some(image) = figure.first.picture() else {
+        return;
+    };
     let camera = &figure.scene.camera;
-    let [width, height] = camera.pixels;
-    let background = figure.scene.background.clamp(DVec3::ZERO, DVec3::ONE);
-    let colours = figure.first.picture();
-    for on_negative in [true, false] {
-        if !on_negative && !figure.shows(Layer::Window) {
-            continue;
-        }
-        for y in 0..height {
-            let row = &colours[(y * width) as usize..((y + 1) * width) as usize];
-            let mut x = 0;
-            for run in row.chunk_by(|a, b| a == b) {
-                let (from, to) = (f64::from(x), f64::from(x + run.len() as u32));
-                x += run.len() as u32;
-                let Some(Some(colour)) = run.first().filter(|of| **of != Some(background)) else {
-                    continue;
-                };
-                let (top, bottom) = (f64::from(y), f64::from(y + 1));
-                let corners = [(from, top), (to, top), (to, bottom), (from, bottom)];
-                let corners = corners.map(|(x, y)| camera.window_point(x, y));
-                let corners = if on_negative {
-                    corners.map(|point| behind(camera, point))
-                } else {
-                    corners
-                };
-                let corners = corners.map(|corner| space.place(corner));
-                let rgb = (*colour * 255.0).round().to_array().map(|of| of as u8);
-                sheet.patch(corners.into(), rgb);
-            }
-        }
+    let [width, height] = camera.pixels.map(f64::from);
+    let corners = [(0.0, 0.0), (width, 0.0), (0.0, height)];
+    let window = corners.map(|(x, y)| camera.window_point(x, y));
+    let negative = window.map(|corner| behind(camera, corner));
+    let place = |corners: [DVec3; 3]| corners.map(|corner| space.place(corner));
+    sheet.image_in(place(negative), image.clone());
+    if figure.shows(Layer::Window) {
+        sheet.image_in(place(window), image);
     }
 }
 

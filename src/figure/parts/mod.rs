@@ -18,6 +18,7 @@ pub(in crate::figure) mod scale_bar;
 pub(in crate::figure) mod scenery;
 pub(in crate::figure) mod slab_rows;
 pub(in crate::figure) mod surface;
+pub(in crate::figure) mod ticks;
 pub(in crate::figure) mod tree;
 pub(in crate::figure) mod turn;
 pub(in crate::figure) mod visits;

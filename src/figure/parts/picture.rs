@@ -1,110 +1,214 @@
-//! The output image: each pixel a square of its colour, the traced ones marked.
+//! The output image, the traced pixels marked, each with what became of its rays.
 
-use glam::{DVec2, DVec3};
+use glam::DVec2;
 
-use crate::figure::heat_map::Rgb;
-use crate::figure::sheet::Sheet;
+use crate::figure::error::FigureError;
 use crate::figure::sheet::frame::Frame;
+use crate::figure::sheet::image::Image;
 use crate::figure::sheet::look::Look;
+use crate::figure::sheet::{Anchor, Sheet};
 use crate::figure::subject::Figure;
+use crate::trace::{Purpose, RayTree, RayVerdict, Record};
 
 /// Draws the picture at the right of a frame, and gives back what is left of the frame.
-pub(in crate::figure) fn beside(figure: &Figure, sheet: &mut Sheet, frame: Frame) -> Frame {
+///
+/// # Errors
+/// There is no picture in the log.
+pub(in crate::figure) fn beside(
+    figure: &Figure,
+    sheet: &mut Sheet,
+    frame: Frame,
+) -> Result<Frame, FigureError> {
     /// Of the width: the figure itself is what matters.
     const SHARE: f64 = 0.64;
     let [left, right] = frame.split(SHARE, 2.0 * sheet.letters);
-    draw(figure, sheet, right);
-    left
-}
-
-/// Draws the picture as large as the frame allows, and says what it is.
-pub(in crate::figure) fn draw(figure: &Figure, sheet: &mut Sheet, frame: Frame) -> String {
-    let [width, height] = figure.scene.camera.pixels;
     let line = sheet.line_height();
     let room = Frame {
-        min: frame.min,
-        max: frame.max - DVec2::new(0.0, line),
+        min: right.min,
+        max: right.max - DVec2::new(0.0, line),
     };
-    let rgb = |colour: DVec3| (colour * 255.0).round().to_array().map(|of| of as u8);
-    let colours: Vec<Option<Rgb>> = figure
-        .first
-        .picture()
-        .into_iter()
-        .map(|of| of.map(rgb))
-        .collect();
-    let squares = squares(sheet, room, [width, height], &colours);
-    let at = |x: u32, y: u32| squares.at(x, y);
-    let whole = squares.whole;
-    let mut marked = Vec::new();
-    for [x, y] in figure.pixels() {
-        let pixel = Frame {
-            min: at(x, y),
-            max: at(x + 1, y + 1),
-        };
-        // on any colour: dark inside light
-        let around = pixel.wider(2.0 * sheet.unit());
-        sheet.rectangle(Look::PAPER_LINE, around);
-        sheet.rectangle(Look::THIN.wide(1.5), pixel.wider(1.0 * sheet.unit()));
-        marked.push(format!("({x}, {y})"));
+    let placed = Placed::draw(figure, sheet, room)?;
+    let pixels = figure.pixels();
+    for pixel in &pixels {
+        placed.mark(sheet, *pixel);
     }
-    let caption = match marked.as_slice() {
-        [] => format!("{width} × {height} pixels"),
-        [one] => format!("pixel {one} of {width} × {height}"),
-        several => format!("pixels {} of {width} × {height}", several.join(", ")),
-    };
-    let below = DVec2::new(room.middle().x, whole.max.y + 0.75 * line);
-    sheet.text(crate::figure::sheet::Anchor::Middle, below, caption.clone());
-    format!("The picture of the scene, {caption}.")
-}
-
-/// A picture's pixels as squares on a sheet.
-pub(in crate::figure) struct Squares {
-    /// What is around all of them.
-    pub(in crate::figure) whole: Frame,
-    side: f64,
-}
-
-impl Squares {
-    /// The upper left corner of a pixel.
-    pub(in crate::figure) fn at(&self, x: u32, y: u32) -> DVec2 {
-        self.whole.min + self.side * DVec2::new(f64::from(x), f64::from(y))
+    if let [[x, y]] = pixels.as_slice() {
+        let whole = placed.whole;
+        let below = DVec2::new(whole.middle().x, whole.max.y + 0.75 * line);
+        sheet.text(Anchor::Middle, below, format!("pixel ({x}, {y})"));
     }
+    Ok(left)
 }
 
-/// Draws pixels as squares in the middle of a frame, as large as it allows; `None` where nothing is known.
-pub(in crate::figure) fn squares(
+/// Draws the picture as large as the frame allows, what became of the marked pixels at its right, and says it in words.
+///
+/// # Errors
+/// There is no picture in the log, or no event of a pixel.
+pub(in crate::figure) fn draw(
+    figure: &Figure,
     sheet: &mut Sheet,
-    room: Frame,
-    [width, height]: [u32; 2],
-    colours: &[Option<Rgb>],
-) -> Squares {
-    let pixels = DVec2::new(f64::from(width), f64::from(height));
-    let side = (room.size() / pixels).min_element();
-    let half = 0.5 * side * pixels;
-    let squares = Squares {
-        whole: Frame {
-            min: room.middle() - half,
-            max: room.middle() + half,
-        },
-        side,
+    frame: Frame,
+) -> Result<String, FigureError> {
+    let pixels = figure.pixels();
+    let mut verdicts = Vec::new();
+    for pixel in &pixels {
+        verdicts.push(verdict(figure.records_of(*pixel)?));
+    }
+    // those that cannot be told apart by one place alone have numbers
+    let notes: Vec<String> = match (pixels.as_slice(), verdicts.as_slice()) {
+        ([[x, y]], [verdict]) => vec![format!("pixel ({x}, {y})"), (*verdict).into()],
+        _ => (1..)
+            .zip(&verdicts)
+            .map(|(number, verdict)| format!("{number}: {verdict}"))
+            .collect(),
     };
-    // each square reaches a little under the next ones, so that no seam of the ground shows between them
-    let under = |corner: DVec2| (corner + 0.5).min(squares.whole.max);
-    for (y, row) in (0..).zip(colours.chunks(width as usize)) {
-        // pixels of one colour beside each other are one rectangle
-        let mut x = 0;
-        for run in row.chunk_by(|a, b| a == b) {
-            let end = x + run.len() as u32;
-            if let Some(Some(rgb)) = run.first() {
-                let frame = Frame {
-                    min: squares.at(x, y),
-                    max: under(squares.at(end, y + 1)),
-                };
-                sheet.pixel(frame, *rgb);
-            }
-            x = end;
+    let widest = notes.iter().map(|note| sheet.width_of(note));
+    let widest = widest.fold(0.0, f64::max);
+    let room = if notes.is_empty() {
+        0.0
+    } else {
+        widest + GAP * sheet.letters
+    };
+    let left = Frame {
+        min: frame.min,
+        max: frame.max - DVec2::new(room, 0.0),
+    };
+    let placed = Placed::draw(figure, sheet, left)?;
+    let [width, height] = figure.scene.camera.pixels;
+    let mut sentences = vec![format!(
+        "The picture of the scene, {width} × {height} pixels."
+    )];
+    let in_words = pixels.iter().zip(&verdicts);
+    sentences.extend(in_words.map(|([x, y], verdict)| format!("Pixel ({x}, {y}): {verdict}.")));
+    match pixels.as_slice() {
+        [pixel] => placed.note(sheet, *pixel, &notes),
+        _ => placed.notes(sheet, &pixels, &notes),
+    }
+    Ok(sentences.join(" "))
+}
+
+/// Between the picture and what stands at its right, in letters.
+const GAP: f64 = 1.5;
+
+/// What became of the rays of a pixel, as far as one looks at the picture: of the eye ray, and of the rays to the lights
+/// from where it hits.
+fn verdict(records: &[Record]) -> &'static str {
+    let tree = RayTree::new(records);
+    let Some(eye_ray) = tree.rays.first() else {
+        return "not traced";
+    };
+    if eye_ray
+        .end
+        .is_some_and(|end| end.verdict == RayVerdict::Miss)
+    {
+        return "misses";
+    }
+    let children = tree
+        .rays
+        .iter()
+        .filter(|node| node.parent == Some(eye_ray.id));
+    let shadow_rays = children.filter(|node| {
+        let purpose = node.start.map(|start| start.purpose);
+        purpose == Some(Purpose::Shadow)
+    });
+    let blocked: Vec<bool> = shadow_rays
+        .filter_map(|node| Some(node.end?.verdict == RayVerdict::Blocked))
+        .collect();
+    match (blocked.contains(&true), blocked.contains(&false)) {
+        (true, true) => "lit by some lights",
+        (true, false) => "in shadow",
+        (false, true) => "lit",
+        (false, false) => "hits an object",
+    }
+}
+
+/// A picture on a sheet.
+struct Placed {
+    /// What it fills.
+    whole: Frame,
+    /// How large one of the scene's pixels is.
+    side: DVec2,
+}
+
+impl Placed {
+    fn draw(figure: &Figure, sheet: &mut Sheet, room: Frame) -> Result<Self, FigureError> {
+        let image = figure.first.picture().ok_or_else(|| {
+            FigureError::new(
+                "kind",
+                "the log has no picture and no colour of a pixel",
+                "trace the figure again",
+            )
+        })?;
+        let whole = draw_image(sheet, room, image);
+        let [width, height] = figure.scene.camera.pixels.map(f64::from);
+        Ok(Self {
+            whole,
+            side: whole.size() / DVec2::new(width, height),
+        })
+    }
+
+    /// One of the scene's pixels.
+    fn pixel(&self, [x, y]: [u32; 2]) -> Frame {
+        let corner = self.whole.min + self.side * DVec2::new(f64::from(x), f64::from(y));
+        Frame {
+            min: corner,
+            max: corner + self.side,
         }
     }
-    sheet.rectangle(Look::THIN, squares.whole);
-    squares
+
+    /// A frame around one of the scene's pixels.
+    fn mark(&self, sheet: &mut Sheet, pixel: [u32; 2]) {
+        let around = self.pixel(pixel).wider(sheet.unit());
+        sheet.on_picture(&around.corners(), true);
+    }
+
+    /// Marks a pixel, and writes lines beside the picture at its height.
+    fn note(&self, sheet: &mut Sheet, pixel: [u32; 2], lines: &[String]) {
+        let Some((first, rest)) = lines.split_first() else {
+            return;
+        };
+        self.notes(sheet, &[pixel], std::slice::from_ref(first));
+        let at = DVec2::new(
+            self.whole.max.x + GAP * sheet.letters,
+            self.pixel(pixel).middle().y,
+        );
+        for (line, text) in (1..).zip(rest) {
+            let down = DVec2::new(0.0, f64::from(line) * sheet.line_height());
+            sheet.text(Anchor::Start, at + down, text.as_str());
+        }
+    }
+
+    /// Marks pixels, and joins each to a line of letters beside the picture.
+    fn notes(&self, sheet: &mut Sheet, pixels: &[[u32; 2]], notes: &[String]) {
+        let mut order: Vec<usize> = (0..pixels.len()).collect();
+        order.sort_by_key(|&place| (pixels[place][1], pixels[place][0]));
+        let mut lowest = f64::NEG_INFINITY;
+        for place in order {
+            let pixel = self.pixel(pixels[place]);
+            // lines of letters do not lie over each other
+            let y = pixel.middle().y.max(lowest + sheet.line_height());
+            lowest = y;
+            let edge = DVec2::new(self.whole.max.x, y);
+            let side = DVec2::new(pixel.max.x + sheet.unit(), pixel.middle().y);
+            sheet.on_picture(&[side, edge], false);
+            self.mark(sheet, pixels[place]);
+            let gap = DVec2::new(GAP * sheet.letters, 0.0);
+            sheet.line(Look::THIN, edge, edge + 0.7 * gap);
+            sheet.text(Anchor::Start, edge + gap, notes[place].as_str());
+        }
+    }
+}
+
+/// Draws an image in the middle of a frame, as large as it allows, with a line around it, and gives back what it fills.
+pub(in crate::figure) fn draw_image(sheet: &mut Sheet, room: Frame, image: Image) -> Frame {
+    let aspect = image.aspect();
+    let width = room.size().x.min(aspect * room.size().y);
+    let half = 0.5 * DVec2::new(width, width / aspect);
+    let whole = Frame {
+        min: room.middle() - half,
+        max: room.middle() + half,
+    };
+    sheet.image(whole, image);
+    sheet.rectangle(Look::THIN, whole);
+    whole
 }

@@ -4,6 +4,7 @@ use glam::DVec2;
 
 use crate::figure::heat_map::colour;
 use crate::figure::sheet::frame::Frame;
+use crate::figure::sheet::image::Image;
 use crate::figure::sheet::look::Look;
 use crate::figure::sheet::{Anchor, Sheet};
 
@@ -16,18 +17,13 @@ pub(in crate::figure) fn draw(
     numbers: &[(f64, String)],
     what: &str,
 ) {
-    /// As many as can be distinguished, and no more than an SVG should have.
-    const COLOURS: u32 = 48;
     let line = sheet.line_height();
     let at = |share: f64| bar.min.x + share * bar.size().x;
-    for i in 0..COLOURS {
-        let [from, to] = [i, i + 1].map(|i| f64::from(i) / f64::from(COLOURS));
-        let part = Frame {
-            min: DVec2::new(at(from), bar.min.y),
-            max: DVec2::new(at(to), bar.max.y),
-        };
-        sheet.pixel(part, colour(f64::midpoint(from, to)));
-    }
+    let colours = (0..Image::LEAST_WIDTH).map(|place| {
+        let middle = f64::from(place) + 0.5;
+        Some(colour(middle / f64::from(Image::LEAST_WIDTH)))
+    });
+    sheet.image(bar, Image::new([Image::LEAST_WIDTH, 1], colours.collect()));
     sheet.rectangle(Look::THIN, bar);
     let last = numbers.len().saturating_sub(1);
     for (place, (share, number)) in numbers.iter().enumerate() {

@@ -208,16 +208,19 @@ impl Canvas<'_> {
                 turn,
             } => ellipse(*center, *radii, *turn),
             Form::Rectangle(frame) => rectangle(*frame),
-            Form::Patch { points, rgb } => {
-                let mut element = path(points, true);
-                element.assign("fill", hexadecimal(self.shade(*rgb)));
-                element.assign("shape-rendering", "crispEdges");
-                return element;
+            Form::Image { corners, image } => {
+                return image_element(*corners, &image.data_uri(self.rendition.grayscale));
             }
-            Form::Pixel { frame, rgb } => {
-                let mut element = rectangle(*frame);
-                element.assign("fill", hexadecimal(self.shade(*rgb)));
-                element.assign("shape-rendering", "crispEdges");
+            Form::OnPicture {
+                points,
+                closed,
+                is_white,
+                width,
+            } => {
+                let mut element = path(points, *closed);
+                element.assign("fill", "none");
+                element.assign("stroke", if *is_white { "#ffffff" } else { "#000000" });
+                element.assign("stroke-width", number(*width));
                 return element;
             }
         };
@@ -307,15 +310,6 @@ impl Canvas<'_> {
             colour.plain()
         }
     }
-
-    /// The colour of a picture's pixel; its luma (ITU-R BT.601) for print.
-    fn shade(&self, rgb: [u8; 3]) -> [u8; 3] {
-        if !self.rendition.grayscale {
-            return rgb;
-        }
-        let [r, g, b] = rgb.map(f64::from);
-        [(0.299 * r + 0.587 * g + 0.114 * b).round() as u8; 3]
-    }
 }
 
 /// The letters of a text, those that are set in another way inside `tspan`s.
@@ -367,8 +361,13 @@ fn path(points: &[DVec2], closed: bool) -> Element {
 }
 
 fn rectangle(frame: Frame) -> Element {
-    let (corner, size) = (frame.min, frame.size());
     let mut element = Element::new("rect");
+    place(&mut element, frame);
+    element
+}
+
+fn place(element: &mut Element, frame: Frame) {
+    let (corner, size) = (frame.min, frame.size());
     for (attribute, value) in [
         ("x", corner.x),
         ("y", corner.y),
@@ -377,6 +376,26 @@ fn rectangle(frame: Frame) -> Element {
     ] {
         element.assign(attribute, number(value));
     }
+}
+
+/// A picture in a rectangle, or turned and slanted into a parallelogram.
+fn image_element([corner, right, below]: [DVec2; 3], uri: &str) -> Element {
+    let (across, down) = (right - corner, below - corner);
+    let is_upright = across.y == 0.0 && down.x == 0.0 && 0.0 < across.x && 0.0 < down.y;
+    let mut element = Element::new("image");
+    if is_upright {
+        let (min, max) = (corner, corner + across + down);
+        place(&mut element, Frame { min, max });
+    } else {
+        // a square of one unit, which the matrix lays into the parallelogram
+        element.assign("width", "1");
+        element.assign("height", "1");
+        let columns = [across, down, corner].map(|of| of.to_array().map(number).join(" "));
+        element.assign("transform", format!("matrix({})", columns.join(" ")));
+    }
+    element.assign("preserveAspectRatio", "none");
+    element.assign("image-rendering", "auto");
+    element.assign("href", uri);
     element
 }
 

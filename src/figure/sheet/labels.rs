@@ -209,9 +209,15 @@ impl Obstacles {
     fn add(&mut self, mark: &Mark) {
         let is_seen = 0.0 < mark.look.width || mark.look.fill == Fill::Full;
         match &mark.form {
-            Form::Pixel { frame, .. } => self.frames.push(*frame),
-            Form::Patch { points, .. } => {
-                self.frames.extend(Frame::around(points.iter().copied()));
+            Form::Image { corners, .. } => {
+                let [corner, right, below] = *corners;
+                let around = [corner, right, below, right + below - corner];
+                self.frames.extend(Frame::around(around));
+            }
+            Form::OnPicture { points, .. } => {
+                for pair in points.windows(2) {
+                    self.lines.add([pair[0], pair[1]]);
+                }
             }
             _ if !is_seen => {}
             Form::Rectangle(frame) => {

@@ -6,6 +6,7 @@ pub(in crate::figure) mod buckets;
 pub(crate) mod canvas;
 pub(in crate::figure) mod font;
 pub(in crate::figure) mod frame;
+pub(in crate::figure) mod image;
 mod labels;
 pub(in crate::figure) mod look;
 #[expect(

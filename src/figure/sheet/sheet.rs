@@ -7,6 +7,7 @@
 use glam::DVec2;
 
 use crate::figure::sheet::frame::Frame;
+use crate::figure::sheet::image::Image;
 use crate::figure::sheet::look::Look;
 use crate::figure::sheet::stage::{Stage, StageId, StageName};
 use crate::figure::sheet::text::Text;
@@ -35,10 +36,15 @@ pub(in crate::figure) enum Form {
     },
     /// A rectangle along the sheet's edges.
     Rectangle(Frame),
-    /// A rectangle of its own colour: a pixel of a picture.
-    Pixel { frame: Frame, rgb: [u8; 3] },
-    /// An area of its own colour: a pixel that is seen from the side.
-    Patch { points: Vec<DVec2>, rgb: [u8; 3] },
+    /// A picture, by its upper left, upper right and lower left corners: a parallelogram.
+    Image { corners: [DVec2; 3], image: Image },
+    /// A line on a picture: black or white, whatever the colours of the page are.
+    OnPicture {
+        points: Vec<DVec2>,
+        closed: bool,
+        is_white: bool,
+        width: f64,
+    },
 }
 
 /// Since when something is there. It orders what is drawn: what comes later lies above.
@@ -340,14 +346,28 @@ impl Sheet {
         self.polygon(look.inside().full(), vec![to, base + across, base - across]);
     }
 
-    /// A pixel of a picture.
-    pub(in crate::figure) fn pixel(&mut self, frame: Frame, rgb: [u8; 3]) {
-        self.mark(Look::OBJECT.inside(), Form::Pixel { frame, rgb });
+    /// A picture that fills a frame.
+    pub(in crate::figure) fn image(&mut self, frame: Frame, image: Image) {
+        let [upper_left, upper_right, _, lower_left] = frame.corners();
+        self.image_in([upper_left, upper_right, lower_left], image);
     }
 
-    /// A pixel of a picture that is seen from the side.
-    pub(in crate::figure) fn patch(&mut self, points: Vec<DVec2>, rgb: [u8; 3]) {
-        self.mark(Look::OBJECT.inside(), Form::Patch { points, rgb });
+    /// A picture in a parallelogram, by its upper left, upper right and lower left corners.
+    pub(in crate::figure) fn image_in(&mut self, corners: [DVec2; 3], image: Image) {
+        self.mark(Look::OBJECT.inside(), Form::Image { corners, image });
+    }
+
+    /// A line on a picture: black on white, so that it is seen on every colour.
+    pub(in crate::figure) fn on_picture(&mut self, points: &[DVec2], closed: bool) {
+        for (is_white, width) in [(true, 4.0), (false, 1.5)] {
+            let form = Form::OnPicture {
+                points: points.into(),
+                closed,
+                is_white,
+                width: width * self.unit(),
+            };
+            self.mark(Look::OBJECT.inside(), form);
+        }
     }
 
     /// Letters at a fixed place, in height around it.

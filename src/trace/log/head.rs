@@ -1,4 +1,5 @@
-//! The head of a log: how the trace was made and the scene, on a line of its own, then one line per object.
+//! The head of a log: how the trace was made and the scene, on a line of its own, then one line per object; in a figure's log
+//! what it holds of every pixel comes after them.
 
 use std::io::{self, Write};
 
@@ -7,6 +8,7 @@ use smol_str::SmolStr;
 
 use crate::scene::file::{CameraFile, LightFile, Materials, ObjectFile, ShapeFile, SidesFile};
 use crate::scene::{Scene, SceneFile};
+use crate::trace::log::of_pixels::OfPixels;
 use crate::trace::log::settings::Settings;
 
 /// The version of the log that this program writes and reads.
@@ -106,6 +108,20 @@ pub fn write_log_head(scene: &Scene, settings: &Settings, out: &mut impl Write) 
             sides,
         };
         write_line(&line, out)?;
+    }
+    Ok(())
+}
+
+/// Writes what a log holds of every pixel, after its head and before its events.
+///
+/// # Errors
+/// Those of the output.
+pub fn write_of_pixels(of_pixels: &OfPixels, out: &mut impl Write) -> io::Result<()> {
+    if let Some(picture) = &of_pixels.picture {
+        write_line(&picture.line(), out)?;
+    }
+    for (row, tests) in of_pixels.tests.iter().enumerate() {
+        write_line(&tests.line(row), out)?;
     }
     Ok(())
 }

@@ -16,7 +16,9 @@ mod line_writer;
 mod lines;
 mod name_table;
 mod names;
+mod of_pixels;
 mod place;
+pub(crate) mod png_bytes;
 pub(crate) mod reader;
 #[cfg(feature = "schema")]
 mod schema;
@@ -24,11 +26,12 @@ pub(crate) mod settings;
 
 pub use error::LogError;
 pub(crate) use fast::EventWriter;
-pub use head::{LOG_VERSION, write_log_head};
+pub use head::{LOG_VERSION, write_log_head, write_of_pixels};
 pub use light_options::LightOptions;
 pub use line_sink::LineSink;
 pub(crate) use line_writer::write_event;
 pub use names::LogNames;
+pub use of_pixels::{LoggedPicture, OfPixels, TestsOfRow};
 pub(crate) use reader::LogReader;
 pub use reader::begins_log;
 #[cfg(feature = "schema")]

@@ -2,6 +2,8 @@
 
 use std::io::BufRead;
 
+use serde::de::DeserializeOwned;
+
 use crate::scene::file::ObjectFile;
 use crate::scene::{Scene, SceneFile};
 use crate::trace::log::head::{Header, LOG_VERSION, ObjectLine};
@@ -9,6 +11,7 @@ use crate::trace::log::limits::Limits;
 use crate::trace::log::line_reader::{Damage, parse_event};
 use crate::trace::log::lines::LogLines;
 use crate::trace::log::name_table::NameTable;
+use crate::trace::log::of_pixels::{LoggedPicture, OfPixels, PictureLine, TestsLine, TestsOfRow};
 use crate::trace::record::path_sieve::keep_paths_behind;
 use crate::trace::record::recorder::{Numbering, Place};
 use crate::trace::{Event, Kind, LogError, PathSieve, Record, Region, Settings, Sink};
@@ -20,6 +23,7 @@ pub struct LogReader<R> {
     names: NameTable,
     scene: Scene,
     settings: Settings,
+    of_pixels: OfPixels,
     /// What each line's numbers must be, if no kind was left out.
     numbering: Option<Numbering>,
     /// What its numbers can be at all.
@@ -56,6 +60,7 @@ impl<R: BufRead> LogReader<R> {
         } else {
             scene
         };
+        let of_pixels = read_of_pixels(&mut lines, scene.camera.pixels)?;
         Ok(Self {
             lines,
             names: NameTable::new(&scene),
@@ -63,6 +68,7 @@ impl<R: BufRead> LogReader<R> {
             scene,
             numbering: settings.only.is_none().then(Numbering::default),
             settings,
+            of_pixels,
         })
     }
 
@@ -74,6 +80,11 @@ impl<R: BufRead> LogReader<R> {
     /// How it was traced.
     pub fn settings(&self) -> &Settings {
         &self.settings
+    }
+
+    /// What the log of a figure holds of every pixel; other logs hold nothing of the kind.
+    pub fn of_pixels(&self) -> &OfPixels {
+        &self.of_pixels
     }
 
     /// The next record; `None` at the end.
@@ -181,18 +192,7 @@ fn read_header(lines: &mut LogLines<impl BufRead>) -> Result<Header, LogError> {
 /// The objects' lines, up to the first line that is none.
 fn read_objects(lines: &mut LogLines<impl BufRead>) -> Result<Vec<ObjectFile>, LogError> {
     let mut objects = Vec::new();
-    while let Some(line) = lines.next()? {
-        let is_object = match LineStart::of(line) {
-            Some(start) => start.kind == "object",
-            // a damaged line is identified by its beginning, so that its damage is reported below
-            None => line.starts_with(b"{\"kind\":\"object\""),
-        };
-        if !is_object {
-            lines.put_back();
-            break;
-        }
-        let line: Result<ObjectLine, _> = serde_json::from_slice(line);
-        let line = line.map_err(|error| lines.damaged(Damage::json(&error)))?;
+    while let Some(line) = next_of_kind::<ObjectLine>(lines, "object")? {
         objects.push(ObjectFile {
             name: line.name,
             material: line.material,
@@ -201,6 +201,52 @@ fn read_objects(lines: &mut LogLines<impl BufRead>) -> Result<Vec<ObjectFile>, L
         });
     }
     Ok(objects)
+}
+
+/// The lines about every pixel, up to the first line that is none.
+fn read_of_pixels(
+    lines: &mut LogLines<impl BufRead>,
+    pixels: [u32; 2],
+) -> Result<OfPixels, LogError> {
+    let mut read = OfPixels::default();
+    if let Some(line) = next_of_kind::<PictureLine>(lines, "picture")? {
+        let picture = LoggedPicture::of_line(&line, pixels);
+        read.picture = Some(picture.map_err(|what| lines.damaged(Damage::new(what)))?);
+    }
+    while let Some(line) = next_of_kind::<TestsLine>(lines, "pixel_tests")? {
+        let tests = TestsOfRow::of_line(line, read.tests.len(), pixels[0]);
+        read.tests
+            .push(tests.map_err(|what| lines.damaged(Damage::new(what)))?);
+    }
+    let [rows, height] = [read.tests.len(), pixels[1] as usize];
+    if rows != 0 && rows != height {
+        let what =
+            format!("there are {rows} rows of tests before it, and the picture has {height}");
+        return Err(lines.damaged(Damage::new(what)));
+    }
+    Ok(read)
+}
+
+/// The next line of the head if it is of that kind; any other comes again as the next one.
+fn next_of_kind<T: DeserializeOwned>(
+    lines: &mut LogLines<impl BufRead>,
+    kind: &str,
+) -> Result<Option<T>, LogError> {
+    let Some(line) = lines.next()? else {
+        return Ok(None);
+    };
+    let is_of_kind = match LineStart::of(line) {
+        Some(start) => start.kind == kind,
+        // a damaged line is identified by its beginning, so that its damage is reported below
+        None => line.starts_with(format!("{{\"kind\":\"{kind}\"").as_bytes()),
+    };
+    if !is_of_kind {
+        lines.put_back();
+        return Ok(None);
+    }
+    let line = serde_json::from_slice(line);
+    line.map(Some)
+        .map_err(|error| lines.damaged(Damage::json(&error)))
 }
 
 /// A whole log has every event in its place; a line that was lost, moved or changed shows by its numbers.

@@ -1,0 +1,199 @@
+//! What the log of a figure holds of every pixel, on lines between the objects and the events: the picture, and how many
+//! tests each pixel took.
+//!
+//! An event for each pixel of a picture of 256 × 192 would take 5 MB; the picture as PNG takes 30 kB.
+
+use base64::Engine as _;
+use base64::engine::general_purpose::STANDARD as BASE64;
+use serde::{Deserialize, Serialize};
+
+use crate::trace::log::png_bytes::Channels;
+use crate::trace::log::png_bytes::{decoded_rgb, encoded};
+
+/// A picture: its pixels are smaller than the scene's, and each is the mean of several samples.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct LoggedPicture {
+    /// Its width and height in pixels.
+    pub pixels: [u32; 2],
+    /// How many eye rays each of its pixels is the mean of.
+    pub samples: u32,
+    /// Red, green and blue of each pixel, row by row from the top left.
+    pub rgb: Vec<u8>,
+}
+
+/// How many tests the pixels of a row took, from left to right: those of all rays of the pixel.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct TestsOfRow {
+    /// Objects tested: a polygon counts once, by its plane.
+    pub objects: Vec<u64>,
+    /// Bounds tested and nodes entered.
+    pub nodes: Vec<u64>,
+    /// Cells of the grid visited.
+    pub cells: Vec<u64>,
+}
+
+/// What a log holds of every pixel.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct OfPixels {
+    /// The picture, if the figure shows one.
+    pub picture: Option<LoggedPicture>,
+    /// A row of the scene's pixels after the other, from the top, if the figure shows what they cost; else none.
+    pub tests: Vec<TestsOfRow>,
+}
+
+/// A line that holds the picture.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields)]
+pub(super) struct PictureLine {
+    /// `picture`.
+    kind: String,
+    /// Its width and height in pixels: a whole multiple of the camera's.
+    pixels: [u32; 2],
+    /// How many eye rays each of its pixels is the mean of.
+    samples: u32,
+    /// The picture as PNG, 8 bits a channel, without gamma, in base64.
+    png: String,
+}
+
+/// A line that holds how many tests the pixels of a row took.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields)]
+pub(super) struct TestsLine {
+    /// `pixel_tests`.
+    kind: String,
+    /// The row, from 0 at the top.
+    row: u32,
+    /// Object tests of each pixel, from the left; a polygon counts once, by its plane.
+    objects: Vec<u64>,
+    /// Bounds tested and nodes entered for each pixel.
+    nodes: Vec<u64>,
+    /// Cells visited for each pixel.
+    cells: Vec<u64>,
+}
+
+impl LoggedPicture {
+    /// As a line of a log.
+    pub(super) fn line(&self) -> PictureLine {
+        PictureLine {
+            kind: "picture".into(),
+            pixels: self.pixels,
+            samples: self.samples,
+            png: BASE64.encode(encoded(self.pixels, Channels::Rgb, &self.rgb)),
+        }
+    }
+
+    /// From a line of the log of a scene with so many pixels.
+    ///
+    /// # Errors
+    /// A size that is no multiple of the scene's, or data that are no such picture.
+    pub(super) fn of_line(line: &PictureLine, of_scene: [u32; 2]) -> Result<Self, String> {
+        let pixels = line.pixels;
+        let [finer, rest] = [pixels[0] / of_scene[0], pixels[0] % of_scene[0]];
+        if finer == 0 || rest != 0 || of_scene[1].checked_mul(finer) != Some(pixels[1]) {
+            let [[w, h], [width, height]] = [pixels, of_scene];
+            return Err(format!(
+                "a picture of {w} × {h} pixels is no whole multiple of the camera's {width} × {height}"
+            ));
+        }
+        if line.samples == 0 {
+            return Err("a picture has at least 1 sample for each pixel".into());
+        }
+        let png = BASE64.decode(&line.png);
+        let png = png.map_err(|error| format!("\"png\" is not base64: {error}"))?;
+        Ok(Self {
+            pixels,
+            samples: line.samples,
+            rgb: decoded_rgb(&png, pixels)?,
+        })
+    }
+}
+
+impl TestsOfRow {
+    /// As a line of a log.
+    pub(super) fn line(&self, row: usize) -> TestsLine {
+        TestsLine {
+            kind: "pixel_tests".into(),
+            row: row as u32,
+            objects: self.objects.clone(),
+            nodes: self.nodes.clone(),
+            cells: self.cells.clone(),
+        }
+    }
+
+    /// From the line that must be that of this row, in a picture of such a width.
+    ///
+    /// # Errors
+    /// Another row, or another number of pixels.
+    pub(super) fn of_line(line: TestsLine, row: usize, width: u32) -> Result<Self, String> {
+        if line.row as usize != row {
+            return Err(format!(
+                "row {row} is missing: a line is lost or in the wrong place"
+            ));
+        }
+        let lengths = [&line.objects, &line.nodes, &line.cells].map(Vec::len);
+        if let Some(found) = lengths.into_iter().find(|found| *found != width as usize) {
+            return Err(format!("{found} numbers for a row of {width} pixels"));
+        }
+        Ok(Self {
+            objects: line.objects,
+            nodes: line.nodes,
+            cells: line.cells,
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn picture() -> LoggedPicture {
+        LoggedPicture {
+            pixels: [2, 4],
+            samples: 9,
+            rgb: (0..24).collect(),
+        }
+    }
+
+    #[test]
+    fn a_picture_comes_back_from_its_line() {
+        let line = picture().line();
+        assert_eq!(LoggedPicture::of_line(&line, [1, 2]), Ok(picture()));
+        assert_eq!(LoggedPicture::of_line(&line, [2, 4]), Ok(picture()));
+    }
+
+    #[test]
+    fn a_picture_that_does_not_fit_its_scene_or_its_size_is_refused() {
+        let refused = |change: &dyn Fn(&mut PictureLine), of_scene: [u32; 2]| {
+            let mut line = picture().line();
+            change(&mut line);
+            LoggedPicture::of_line(&line, of_scene).unwrap_err()
+        };
+        let same = |_: &mut PictureLine| {};
+        let multiple = "a picture of 2 × 4 pixels is no whole multiple of the camera's 2 × 2";
+        assert_eq!(refused(&same, [2, 2]), multiple);
+        assert!(refused(&same, [3, 4]).contains("no whole multiple"));
+        assert!(refused(&|line| line.samples = 0, [1, 2]).contains("at least 1 sample"));
+        assert!(refused(&|line| line.png.push('?'), [1, 2]).contains("not base64"));
+        assert!(refused(&|line| line.png = "AAAA".into(), [1, 2]).contains("no PNG"));
+        // the size in the line is not the picture's own
+        let other = refused(&|line| line.pixels = [4, 8], [1, 2]);
+        assert_eq!(other, "the PNG has 2 × 4 pixels, not 4 × 8");
+    }
+
+    #[test]
+    fn rows_of_tests_come_in_order_and_are_as_long_as_the_picture_is_wide() {
+        let row = TestsOfRow {
+            objects: vec![3, 0],
+            nodes: vec![1, 9],
+            cells: vec![0, 0],
+        };
+        let line = || row.line(5);
+        assert_eq!(TestsOfRow::of_line(line(), 5, 2), Ok(row.clone()));
+        let error = TestsOfRow::of_line(line(), 4, 2).unwrap_err();
+        assert!(error.contains("row 4 is missing"), "{error}");
+        let error = TestsOfRow::of_line(line(), 5, 3).unwrap_err();
+        assert_eq!(error, "2 numbers for a row of 3 pixels");
+    }
+}
