@@ -82,6 +82,69 @@ fn every_figure_is_well_formed_and_legible() {
 }
 
 #[test]
+fn a_books_sheet_is_760_wide_and_as_high_as_what_is_drawn_at_every_step() {
+    for (name, spec, traced) in traced() {
+        let drawn = |width, up_to| {
+            let rendition = Rendition {
+                up_to,
+                ..Rendition::default()
+            };
+            draw(spec, traced, ID, width, rendition).unwrap()
+        };
+        let size = |svg: &str| {
+            let document = Document::parse(svg).unwrap();
+            view_box(&document.root_element())
+        };
+        let whole = drawn(Width::Book, None);
+        let shown = size(&whole.svg);
+        assert_eq!((shown[0], shown[2]), (0.0, 760.0), "{name}");
+        let first = whole.steps.first().copied();
+        assert_eq!(size(&drawn(Width::Book, first).svg), shown, "{name}");
+        let slide = drawn(Width::Slide, None);
+        assert_eq!(size(&slide.svg), [0.0, 0.0, 1280.0, 720.0], "{name}");
+
+        // the highest and the lowest point that is drawn, by what the file says, are a letter of 14 from the edges
+        let document = Document::parse(&whole.svg).unwrap();
+        let mut heights = Vec::new();
+        for node in document.descendants().filter(Node::is_element) {
+            let number = |key| node.attribute(key).and_then(|of| of.parse::<f64>().ok());
+            match node.tag_name().name() {
+                "text" => {
+                    let [_, top, _, bottom] = letters_box(&document.root_element(), &node);
+                    heights.extend([top, bottom]);
+                }
+                // the ground is as wide as the sheet
+                "rect" if number("width") == Some(760.0) => {}
+                "rect" | "image" => {
+                    let y = number("y").unwrap_or_else(|| f64::midpoint(shown[1], shown[3]));
+                    heights.extend([y, y + number("height").unwrap()]);
+                }
+                "circle" => {
+                    let (y, r) = (number("cy").unwrap(), number("r").unwrap());
+                    heights.extend([y - r, y + r]);
+                }
+                "path" => {
+                    let data = node.attribute("d").unwrap().trim_end_matches('Z');
+                    let points = data.split(['M', 'L']).filter(|of| !of.is_empty());
+                    heights.extend(points.map(|point| {
+                        let (_, y) = point.split_once(' ').unwrap();
+                        y.parse::<f64>().unwrap()
+                    }));
+                }
+                _ => {}
+            }
+        }
+        let least = heights.iter().copied().fold(f64::INFINITY, f64::min);
+        let most = heights.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+        let margins = [least - shown[1], shown[1] + shown[3] - most];
+        for margin in margins {
+            // halves of lines, ellipses and the room for accents are in the margin too
+            assert!((0.0..=14.0 + 12.0).contains(&margin), "{name}: {margins:?}");
+        }
+    }
+}
+
+#[test]
 fn no_figure_of_the_course_has_more_than_80_kb() {
     for (name, spec, traced) in traced() {
         let drawn = draw(spec, traced, ID, Width::Book, Rendition::default()).unwrap();
@@ -448,11 +511,7 @@ pub(crate) fn check_svg(name: &str, svg: &str) {
         assert!(labelled.split(' ').any(|of| of == id), "{name}: {part}");
     }
 
-    let view_box = root.attribute("viewBox").unwrap();
-    let size: Vec<f64> = view_box
-        .split(' ')
-        .map(|number| number.parse().unwrap())
-        .collect();
+    let size = view_box(&root);
     let boxes: Vec<(String, [f64; 4])> = root
         .descendants()
         .filter(|node| node.has_tag_name("text"))
@@ -460,7 +519,10 @@ pub(crate) fn check_svg(name: &str, svg: &str) {
         .collect();
     for (i, (text, [left, top, right, bottom])) in boxes.iter().enumerate() {
         assert!(
-            0.0 <= *left && 0.0 <= *top && *right <= size[2] && *bottom <= size[3],
+            size[0] <= *left
+                && size[1] <= *top
+                && *right <= size[0] + size[2]
+                && *bottom <= size[1] + size[3],
             "{name}: {text:?} leaves the view box: {left} {top} {right} {bottom}"
         );
         for (other, b) in &boxes[..i] {
@@ -468,6 +530,12 @@ pub(crate) fn check_svg(name: &str, svg: &str) {
             assert!(apart, "{name}: {text:?} lies over {other:?}");
         }
     }
+}
+
+/// Left, top, width and height of what is shown.
+fn view_box(root: &Node) -> Vec<f64> {
+    let numbers = root.attribute("viewBox").unwrap().split(' ');
+    numbers.map(|number| number.parse().unwrap()).collect()
 }
 
 /// Left, top, right and bottom of a line of letters: from the height of a capital to a little below the line.

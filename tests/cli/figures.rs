@@ -182,7 +182,8 @@ fn each_step_is_a_file_and_the_last_is_the_whole_figure() {
 fn for_a_slide_letters_are_larger_and_for_print_there_is_no_colour() {
     let folder = course();
     let drawn = |options: &str| text(folder.run(&format!("figure 01-ball/hit {options}")).well());
-    assert!(drawn("").contains("viewBox=\"0 0 760 "));
+    let book = drawn("");
+    assert!(book.contains("width=\"760\"") && book.contains("viewBox=\"0 "));
     let slide = drawn("--width slide");
     assert!(slide.contains("viewBox=\"0 0 1280 720\"") && slide.contains("font-size=\"24\""));
     let alone = drawn("--standalone");

@@ -106,10 +106,12 @@ fn check(svg: &str) {
             _ => {}
         }
     }
+    let inside = |frame: &Frame| {
+        let [right, bottom] = [view[0] + view[2], view[1] + view[3]];
+        view[0] <= frame[0] && view[1] <= frame[1] && frame[2] <= right && frame[3] <= bottom
+    };
     for (i, (text, frame)) in texts.iter().enumerate() {
-        let inside =
-            0.0 <= frame[0] && 0.0 <= frame[1] && frame[2] <= view[2] && frame[3] <= view[3];
-        assert!(inside, "{text} lies outside: {frame:?}");
+        assert!(inside(frame), "{text} lies outside: {frame:?}");
         for (other, with) in drawn.iter().chain(&texts[..i]) {
             assert!(
                 !overlap(*frame, *with),
@@ -118,9 +120,7 @@ fn check(svg: &str) {
         }
     }
     for (what, frame) in &drawn {
-        let inside =
-            0.0 <= frame[0] && 0.0 <= frame[1] && frame[2] <= view[2] && frame[3] <= view[3];
-        assert!(inside, "{what} lies outside: {frame:?}");
+        assert!(inside(frame), "{what} lies outside: {frame:?}");
     }
 }
 

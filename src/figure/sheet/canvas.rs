@@ -11,6 +11,7 @@ use svg::node::element::{Description, Element, Group, Style, Title};
 use svg::node::{Blob, Node, Text as Letters};
 
 use crate::explain::{MINUS, printable, shown};
+use crate::figure::sheet::crop;
 use crate::figure::sheet::frame::Frame;
 use crate::figure::sheet::labels::place_labels;
 use crate::figure::sheet::look::{Colour, Dash, FAINT, Fill, Look};
@@ -68,14 +69,16 @@ impl Canvas<'_> {
         let canvas = Canvas { id, rendition };
         let [title_id, description_id] =
             ["title", "description"].map(|part| format!("{id}_{part}"));
-        let [width, height] = sheet.size.to_array().map(number);
+        let shown = crop::shown(&sheet);
+        let [left, top] = shown.min.to_array().map(number);
+        let [width, height] = shown.size().to_array().map(number);
         let mut document = Document::new()
             .set("id", id)
             .set("role", "img")
             .set("aria-labelledby", format!("{title_id} {description_id}"))
             .set("width", width.as_str())
             .set("height", height.as_str())
-            .set("viewBox", format!("0 0 {width} {height}"))
+            .set("viewBox", format!("{left} {top} {width} {height}"))
             .set(
                 "font-family",
                 "\"Open Sans\", Arial, Helvetica, \"DejaVu Sans\", sans-serif",
@@ -95,7 +98,7 @@ impl Canvas<'_> {
         if !rendition.standalone && !rendition.grayscale {
             document.append(Style::new(canvas.rules()));
         }
-        document.append(canvas.paper(sheet.size));
+        document.append(canvas.paper(shown));
         for group in canvas.groups(&sheet) {
             document.append(group);
         }
@@ -131,9 +134,8 @@ impl Canvas<'_> {
         )
     }
 
-    fn paper(&self, size: DVec2) -> Element {
-        let (min, max) = (DVec2::ZERO, size);
-        let mut element = rectangle(Frame { min, max });
+    fn paper(&self, shown: Frame) -> Element {
+        let mut element = rectangle(shown);
         self.fill(&mut element, Colour::Paper);
         element
     }

@@ -4,6 +4,7 @@
 
 pub(in crate::figure) mod buckets;
 pub(crate) mod canvas;
+mod crop;
 pub(in crate::figure) mod font;
 pub(in crate::figure) mod frame;
 pub(in crate::figure) mod image;
