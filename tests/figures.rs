@@ -98,7 +98,7 @@ fn a_books_sheet_is_760_wide_and_as_high_as_what_is_drawn_at_every_step() {
         let whole = drawn(Width::Book, None);
         let shown = size(&whole.svg);
         assert_eq!((shown[0], shown[2]), (0.0, 760.0), "{name}");
-        let first = whole.steps.first().copied();
+        let first = whole.steps.first().copied().map(UpTo::Step);
         assert_eq!(size(&drawn(Width::Book, first).svg), shown, "{name}");
         let slide = drawn(Width::Slide, None);
         assert_eq!(size(&slide.svg), [0.0, 0.0, 1280.0, 720.0], "{name}");

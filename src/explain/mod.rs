@@ -24,6 +24,7 @@ pub use counts::{counts_json, counts_text};
 pub use crowded::CrowdedCell;
 pub use json::pixel_json;
 pub use number::grouped;
+pub(crate) use number::grouped_sum;
 pub(crate) use number::{MINUS, cell_name, shown};
 pub use page::{Fold, Line, Section, StepAddress, StepRange, Tone, Unfold};
 pub use part::{DERIVATIONS, Derivation, Part};

@@ -150,8 +150,13 @@ pub(crate) fn cell_name([i, j, k]: [u32; 3]) -> String {
 }
 
 /// A count with its digits in groups of three, as in 104 857 600.
-pub fn grouped(count: impl Into<u128>) -> String {
-    let digits = count.into().to_string();
+pub fn grouped(count: u64) -> String {
+    grouped_sum(count.into())
+}
+
+/// A sum of counts in the same form.
+pub(crate) fn grouped_sum(count: u128) -> String {
+    let digits = count.to_string();
     let mut text = String::with_capacity(digits.len() + digits.len() / 3);
     for (i, digit) in digits.chars().enumerate() {
         if 0 < i && (digits.len() - i).is_multiple_of(3) {

@@ -2,7 +2,7 @@
 
 use glam::DVec2;
 
-use crate::explain::{Compared, Cost, grouped};
+use crate::explain::{Compared, Cost, grouped, grouped_sum};
 use crate::figure::error::FigureError;
 use crate::figure::heat_map::colour;
 use crate::figure::kind::Kind;
@@ -219,7 +219,7 @@ fn draw_map(figure: &Figure, sheet: &mut Sheet, frame: Frame, map: &Map, scale: 
 
 /// The colours of the scale as a bar, with its numbers.
 fn legend(sheet: &mut Sheet, bar: Frame, scale: &Scale) {
-    let number = |tick: &u128| grouped(*tick);
+    let number = |tick: &u128| grouped_sum(*tick);
     let numbers = scale
         .ticks
         .iter()
