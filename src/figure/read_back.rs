@@ -32,6 +32,7 @@ pub(in crate::figure) fn traced(
         scene,
         settings: Settings::default(),
         records: (0..).zip(events).map(record).collect(),
+        of_pixels: crate::trace::OfPixels::default(),
     }
 }
 
