@@ -17,7 +17,8 @@
 //! 6. [`tracer`]: what a hit leads to: shadow rays, reflection, refraction; pixels and pictures;
 //! 7. [`explain`]: from events to words, and what each strategy costs;
 //! 8. [`figure`]: from events to the figures of a lecture; bars of costs and heat maps;
-//! 9. [`lesson`]: the course's data, and the traces that its figures are drawn from.
+//! 9. [`step`]: a log as a tree of steps, walked forwards and backwards, with the state at each;
+//! 10. [`lesson`]: the course's data, and the traces that its figures are drawn from.
 //!
 //! These are the core: no file system, no clock, no threads but by the feature `threads`. Above it are `files` (the file
 //! system), `book` (the preprocessor for mdBook) and the command `raystep` (feature `cli`). What most programs need is at
@@ -73,6 +74,7 @@ pub mod geometry;
 pub mod lesson;
 mod parallel;
 pub mod scene;
+pub mod step;
 pub mod strategy;
 pub mod structure;
 pub mod trace;

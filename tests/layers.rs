@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 use imports::{Modules, circle, program};
 
 /// From pure mathematics to the command line.
-const LAYERS: [&str; 13] = [
+const LAYERS: [&str; 14] = [
     "parallel",
     "geometry",
     "scene",
@@ -20,6 +20,7 @@ const LAYERS: [&str; 13] = [
     "tracer",
     "explain",
     "figure",
+    "step",
     "lesson",
     "files",
     "book",
@@ -27,7 +28,7 @@ const LAYERS: [&str; 13] = [
 ];
 
 /// The layers that run anywhere: no file system, no clock, no threads of their own, no words of a command line.
-const CORE: [&str; 9] = [
+const CORE: [&str; 10] = [
     "geometry",
     "scene",
     "structure",
@@ -36,6 +37,7 @@ const CORE: [&str; 9] = [
     "tracer",
     "explain",
     "figure",
+    "step",
     "lesson",
 ];
 
@@ -55,6 +57,7 @@ const CRATES_OF: [(&str, &[&str]); 20] = [
             "tracer",
             "explain",
             "figure",
+            "step",
             "lesson",
             "book",
         ],
@@ -80,7 +83,9 @@ const CRATES_OF: [(&str, &[&str]); 20] = [
     ),
     (
         "serde_json",
-        &["scene", "trace", "explain", "figure", "lesson", "book"],
+        &[
+            "scene", "trace", "explain", "figure", "step", "lesson", "book",
+        ],
     ),
     ("serde_path_to_error", &["scene"]),
     ("smol_str", &["scene", "trace"]),
@@ -120,8 +125,8 @@ const CRATES: [&str; 27] = [
     "zmij",
 ];
 
-/// What draws and explains sees events and the scene, never how they were made.
-const FROM_EVENTS_ALONE: [&str; 2] = ["explain", "figure"];
+/// What draws, explains and steps sees events and the scene, never how they were made.
+const FROM_EVENTS_ALONE: [&str; 3] = ["explain", "figure", "step"];
 
 pub(crate) fn sources(folder: &Path) -> Vec<PathBuf> {
     let mut found = Vec::new();

@@ -314,6 +314,17 @@ impl Numbers {
     }
 }
 
+/// A random scene of all shapes, as a file: on a lattice, or anywhere.
+pub(crate) fn random_scene(seed: u64, lattice: bool) -> Value {
+    let random = Seeded::new(seed);
+    let mut numbers = Numbers {
+        random,
+        lattice,
+        scale: 1.0,
+    };
+    numbers.scene()
+}
+
 /// The scene; `None` if an object has no area, which the lattice makes now and then.
 fn built(scene: &Value) -> Option<Scene> {
     Scene::new(serde_json::from_value::<SceneFile>(scene.clone()).unwrap()).ok()

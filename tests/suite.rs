@@ -24,6 +24,7 @@ mod schema;
 mod seeded;
 mod simple_tracer;
 mod sphere_exact;
+mod step;
 mod strategies;
 mod trace_log;
 mod transports;

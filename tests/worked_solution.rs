@@ -1,7 +1,7 @@
 //! The worked solution reads as one does it by hand: its lines against a pixel worked out on paper.
 
 pub(crate) mod light;
-mod ranges;
+pub(crate) mod ranges;
 mod renderers;
 mod strategies;
 
@@ -49,12 +49,12 @@ pub(crate) fn worked_text(
     render::plain(&page, render::no_hint)
 }
 
-fn scene() -> Scene {
+pub(crate) fn scene() -> Scene {
     let loaded = load_bytes("paper.json", SCENE.as_bytes(), &NoFiles).unwrap();
     loaded.build().unwrap()
 }
 
-fn records(scene: &Scene) -> Vec<Record> {
+pub(crate) fn records(scene: &Scene) -> Vec<Record> {
     let strategy = Exhaustive::new(scene);
     let tracer = Tracer::new(scene, &strategy, Transport::HybridLight);
     let mut recording = Recording::new(Vec::new());

@@ -8,6 +8,7 @@ mod compare_text;
 mod counts;
 mod crowded;
 mod json;
+pub(crate) mod name;
 mod number;
 pub(crate) mod page;
 mod part;
@@ -32,5 +33,6 @@ pub use transports::{ErrorOf, TransportComparison, TransportCost};
 pub use variants::{strategies_to_compare, strategy_title};
 #[cfg(feature = "book")]
 pub(crate) use worked::WorkedOptions;
+pub(crate) use worked::WorkedSteps;
 #[cfg(feature = "book")]
 pub(crate) use worked::worked_solution;

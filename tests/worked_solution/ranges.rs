@@ -75,7 +75,7 @@ fn mistake(page: &Page, of_page: &[&Record]) -> Option<String> {
 }
 
 /// All that led to a pixel, the building first.
-fn traced(scene: &Scene, settings: &Settings, pixel: [u32; 2]) -> Vec<Record> {
+pub(crate) fn traced(scene: &Scene, settings: &Settings, pixel: [u32; 2]) -> Vec<Record> {
     let strategy = Chosen::new(scene, settings.strategy, &settings.structure).unwrap();
     let region = Region::pixel(pixel);
     let pass = LightPass::new(scene, &strategy, settings, Some(region), |Off| {}, |_| {}).unwrap();
@@ -90,7 +90,7 @@ fn traced(scene: &Scene, settings: &Settings, pixel: [u32; 2]) -> Vec<Record> {
 }
 
 /// The scenes of the lessons' figures, each with two pixels that its figures draw.
-fn scenes() -> Vec<(String, Scene, Vec<[u32; 2]>)> {
+pub(crate) fn scenes() -> Vec<(String, Scene, Vec<[u32; 2]>)> {
     let lessons = Path::new(env!("CARGO_MANIFEST_DIR")).join("lessons");
     let library = raystep::open_lessons(&lessons).unwrap();
     let mut pixels: BTreeMap<String, BTreeSet<[u32; 2]>> = BTreeMap::new();
@@ -118,7 +118,7 @@ fn scenes() -> Vec<(String, Scene, Vec<[u32; 2]>)> {
 
 /// All strategies under rays from the eye, and the exhaustive one under light where lamps have a power; so few paths that
 /// the whole test takes seconds.
-fn all_settings(scene: &Scene) -> Vec<Settings> {
+pub(crate) fn all_settings(scene: &Scene) -> Vec<Settings> {
     let mut all = Vec::new();
     for transport in [Transport::Backward, Transport::HybridLight] {
         let settings = Settings {

@@ -34,7 +34,9 @@ pub(super) fn building(context: &Context, page: &mut Pen) {
     let shown = most.min(built.len());
     let (shown, hidden) = built.split_at(shown);
     page.gap();
-    page.titled(Part::Building, ", before the first ray");
+    if page.writes(context.at(0)) {
+        page.titled(Part::Building, ", before the first ray");
+    }
     page.of_part(Part::Building, |page| {
         page.indented(|page| {
             let leaves = OnceCell::new();

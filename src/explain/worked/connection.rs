@@ -8,6 +8,7 @@ use crate::explain::number::Digits;
 use crate::explain::page::Tone;
 use crate::explain::part::Part;
 use crate::explain::worked::context::Context;
+use crate::explain::worked::extent::Extent;
 use crate::explain::worked::joined::Joined;
 use crate::explain::worked::pen::Pen;
 use crate::explain::worked::seen::ALL_AROUND;
@@ -28,8 +29,13 @@ pub(super) fn connect(context: &Context, joined: &Joined, eye: &[Photon], page: 
         vertex::light_vertex(context, line.path, usize::from(line.light_vertex)),
         vertex::eye_vertex(context, eye, usize::from(line.eye_vertex)),
     ];
-    let title = connection_title(&line, &ends);
-    page.line(Tone::Heading, title);
+    let ray_at = joined.ray.map(|ray| context.of_ray(ray));
+    let parts = [ray_at, joined.alternatives_at, joined.connection_at];
+    let whole = Extent::around(parts.into_iter().flatten());
+    if whole.is_none_or(|whole| page.writes(Extent::at(whole.first))) {
+        let title = connection_title(&line, &ends);
+        page.line(Tone::Heading, title);
+    }
     page.indented(|page| {
         if let Some(ray) = joined.ray {
             ray::ray(context, ray, page);

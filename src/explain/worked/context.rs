@@ -4,7 +4,7 @@
 use std::collections::BTreeMap;
 use std::ops::Range;
 
-use crate::explain::printable;
+use crate::explain::name::{light_title, primitive_name};
 use crate::explain::worked::built_again::BuiltAgain;
 use crate::explain::worked::extent::Extent;
 use crate::explain::worked::known_path::KnownPath;
@@ -100,18 +100,12 @@ impl<'a> Context<'a> {
 
     /// A primitive as it is called in the text.
     pub(super) fn name(&self, id: PrimitiveId) -> String {
-        match self.scene.name_of(id) {
-            (name, None) => printable(name),
-            (name, Some(face)) => format!("{} face {face}", printable(name)),
-        }
+        primitive_name(self.scene, id)
     }
 
     /// A light as it is called in the text: `light "lamp"`.
     pub(super) fn light_title(&self, light: u32) -> String {
-        let light = self.scene.lights.get(light as usize);
-        light.map_or("a light".into(), |light| {
-            format!("light \"{}\"", printable(&light.name))
-        })
+        light_title(self.scene, light)
     }
 
     /// W·H: how many pixels the picture has.

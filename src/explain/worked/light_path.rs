@@ -72,7 +72,9 @@ fn light_path(context: &Context, page: &mut Pen) {
     let unknown = KnownPath::default();
     let known = context.paths.get(&number).unwrap_or(&unknown);
     page.gap();
-    page.line(Tone::Heading, path_title(context, number, known));
+    if page.writes(context.at(0)) {
+        page.line(Tone::Heading, path_title(context, number, known));
+    }
     page.indented(|page| {
         let mut surface = 0;
         let mut rest = context.tree.items.as_slice();

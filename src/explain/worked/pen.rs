@@ -1,6 +1,7 @@
 //! What writes a page: each line as deep as what it belongs to, with the ray and the events that it is about.
 
 use std::fmt;
+use std::ops::Range;
 
 use crate::explain::page::{Fold, Line, Tone, Unfold};
 use crate::explain::part::Part;
@@ -18,6 +19,32 @@ pub(super) struct Pen {
     next_part: Option<Part>,
     /// What is said once on a page.
     said: Vec<&'static str>,
+    /// The events whose lines are written; absent: all.
+    wanted: Option<Wanted>,
+}
+
+/// Some of the records, by their places.
+#[derive(Clone, Debug)]
+pub(super) struct Wanted(Vec<Extent>);
+
+impl Wanted {
+    /// From each first place to just before each end.
+    pub(super) fn new(ranges: &[Range<usize>]) -> Self {
+        let some = ranges.iter().filter(|range| !range.is_empty());
+        let mut extents: Vec<Extent> = some
+            .map(|range| Extent::at(range.start).to(Extent::at(range.end - 1)))
+            .collect();
+        extents.sort_unstable();
+        Self(extents)
+    }
+
+    /// Is a part of it among them?
+    pub(super) fn meets(&self, extent: Extent) -> bool {
+        let next = self.0.partition_point(|wanted| wanted.last < extent.first);
+        self.0
+            .get(next)
+            .is_some_and(|wanted| wanted.first <= extent.last)
+    }
 }
 
 /// A line whose steps are not settled.
@@ -29,6 +56,20 @@ pub(super) struct Draft {
 }
 
 impl Pen {
+    /// A pen that writes only the lines about some events, and the headings above them.
+    pub(super) fn of_events(wanted: Wanted) -> Self {
+        Self {
+            wanted: Some(wanted),
+            ..Self::default()
+        }
+    }
+
+    /// Are lines about these events written?
+    pub(super) fn writes(&self, extent: Extent) -> bool {
+        let wanted = self.wanted.as_ref();
+        wanted.is_none_or(|wanted| wanted.meets(extent))
+    }
+
     /// A line.
     pub(super) fn line(&mut self, tone: Tone, text: impl Into<String>) {
         // nothing is above the first line to be apart from
@@ -113,13 +154,17 @@ impl Pen {
         self.indent -= 1;
     }
 
-    /// Everything that is written inside is about these events.
+    /// Everything that is written inside is about these events. Nothing is written if their lines are not wanted.
     pub(super) fn telling(
         &mut self,
         extent: impl Into<Option<Extent>>,
         write: impl FnOnce(&mut Self),
     ) {
-        let around = std::mem::replace(&mut self.extent, extent.into());
+        let extent = extent.into();
+        if extent.is_some_and(|extent| !self.writes(extent)) {
+            return;
+        }
+        let around = std::mem::replace(&mut self.extent, extent);
         write(self);
         self.extent = around;
     }

@@ -1,5 +1,6 @@
 //! One ray: where it starts, what it is tested against, how it ends.
 
+use crate::explain::name::ray_title;
 use crate::explain::number::Digits;
 use crate::explain::page::{Fold, Tone, Unfold};
 use crate::explain::part::Part;
@@ -18,12 +19,18 @@ use crate::trace::{Event, Kind, Nearest, Purpose, RayEnd, RayNode, RayStart, Ray
 
 /// The whole working of a ray, with the rays that it spawned indented below.
 pub(super) fn ray(context: &Context, place: usize, page: &mut Pen) {
+    let whole = context.of_ray(place);
+    if !page.writes(whole) {
+        return;
+    }
     let node = &context.tree.rays[place];
     let steps = steps(context, &node.items);
     let mut course = course(context, place, &steps);
     let ends_at = node.ends_at.map(|at| at.map(|at| context.at(at)));
     page.of_ray(node.id, |page| {
-        page.line(Tone::Heading, ray_title(context, place));
+        if page.writes(Extent::at(whole.first)) {
+            page.line(Tone::Heading, title_of(context, place));
+        }
         page.indented(|page| {
             if let Some(start) = node.start.filter(|_| context.shows(Kind::Ray)) {
                 page.telling(ends_at[0], |page| {
@@ -115,7 +122,30 @@ fn step(context: &Context, told: &Told, course: &mut Course, page: &mut Pen) {
             page.of_part(Part::Point, |page| arrival::arrive(context, course, page));
         });
     }
-    page.telling(told.extent, |page| match &told.step {
+    search::before_step(context, &told.step, course);
+    page.telling(told.extent, |page| write_step(context, told, course, page));
+    after_step(&told.step, course);
+}
+
+/// What is known of the ray behind a step, whether the step was written or not.
+fn after_step(step: &Step, course: &mut Course) {
+    match step {
+        Step::Test {
+            nearest: Some(Noted { working: hit, .. }),
+            ..
+        }
+        | Step::Nearest(hit) => {
+            course.nearest = Some(hit.t);
+            course.nearest_object = Some(hit.object);
+        }
+        Step::Search(event) => course.last = Some(*event),
+        _ => {}
+    }
+}
+
+/// The words of one step.
+fn write_step(context: &Context, told: &Told, course: &Course, page: &mut Pen) {
+    match &told.step {
         Step::Test {
             object,
             test,
@@ -142,7 +172,7 @@ fn step(context: &Context, told: &Told, course: &mut Course, page: &mut Pen) {
             shade::refraction(context, refraction, course, page);
         }),
         Step::Shade(shade) => shade::shade(context, shade, page),
-        Step::Search(event) => search::search_step(context, event, course, page),
+        Step::Search(event) => search::search(context, event, course, page),
         Step::Photon(photon) => page.of_part(Part::Roulette, |page| {
             photon::photon(context, photon, course, page);
         }),
@@ -157,34 +187,15 @@ fn step(context: &Context, told: &Told, course: &mut Course, page: &mut Pen) {
         Step::Arrival(arrival) => {
             page.of_part(Part::Arrival, |page| seen::seen(context, arrival, page));
         }
-        Step::Nearest(hit) => becomes_nearest(context, hit, course, page),
-    });
+        Step::Nearest(hit) => becomes_nearest(context, hit, page),
+    }
 }
 
-fn ray_title(context: &Context, place: usize) -> String {
+fn title_of(context: &Context, place: usize) -> String {
     let RayNode {
         id, parent, start, ..
     } = &context.tree.rays[place];
-    let Some(start) = start else {
-        return format!("Ray {id}");
-    };
-    let what = match start.purpose {
-        Purpose::Eye => "eye ray".into(),
-        Purpose::Shadow => match start.light {
-            Some(light) => format!("shadow ray to {}", context.light_title(light)),
-            None => "shadow ray".into(),
-        },
-        Purpose::Reflected => "reflected ray".into(),
-        Purpose::Refracted => "refracted ray".into(),
-        Purpose::Scattered => "scattered ray".into(),
-        Purpose::Light => match start.light {
-            Some(light) => format!("light ray from {}", context.light_title(light)),
-            None => "light ray, the path continues".into(),
-        },
-        Purpose::Connection => "connecting ray from x′ to x".into(),
-    };
-    let of = parent.map_or(String::new(), |parent| format!(", spawned by ray {parent}"));
-    format!("Ray {id}: {what}{of}, depth {}", start.depth)
+    ray_title(context.scene, *id, *parent, start.as_ref())
 }
 
 /// The test of one object, in full if it hits or all is wanted, else in short.
@@ -230,7 +241,7 @@ fn is_nearest(
     context: &Context,
     test: &Test,
     (nearest, tested): (Option<Noted<Nearest>>, Extent),
-    course: &mut Course,
+    course: &Course,
     page: &mut Pen,
 ) {
     let shadow = course
@@ -238,7 +249,7 @@ fn is_nearest(
         .is_some_and(|start| start.purpose == Purpose::Shadow);
     if let Some(hit) = nearest {
         page.telling(hit.extent, |page| {
-            becomes_nearest(context, &hit.working, course, page);
+            becomes_nearest(context, &hit.working, page);
         });
     } else if let Some(first) = course.nearest_object
         && test.hit().is_some()
@@ -254,7 +265,7 @@ fn is_nearest(
 }
 
 /// A hit became the nearest.
-fn becomes_nearest(context: &Context, hit: &Nearest, course: &mut Course, page: &mut Pen) {
+fn becomes_nearest(context: &Context, hit: &Nearest, page: &mut Pen) {
     if context.shows(Kind::Nearest) {
         let text = match hit.replaced {
             None => " so far".into(),
@@ -262,8 +273,6 @@ fn becomes_nearest(context: &Context, hit: &Nearest, course: &mut Course, page: 
         };
         page.indented(|page| page.result(Tone::Found, Part::Nearest, text));
     }
-    course.nearest = Some(hit.t);
-    course.nearest_object = Some(hit.object);
 }
 
 fn shows_test(context: &Context, test: &Test) -> bool {
@@ -283,7 +292,7 @@ fn shows_test(context: &Context, test: &Test) -> bool {
 /// A ray that another page works out: its purpose and its end.
 fn child_in_short(context: &Context, place: usize, page: &mut Pen) {
     let node = &context.tree.rays[place];
-    let title = ray_title(context, place);
+    let title = title_of(context, place);
     let end = node.end.map_or(String::new(), |end| {
         format!(": {}", verdict(context, &end, node.start).1)
     });

@@ -10,18 +10,19 @@ use crate::trace::{Event, Kind};
 /// With at most this many slab tests on a ray each is worked out; with more only if all are asked for.
 const SLABS_IN_FULL: usize = 24;
 
-/// One step of the search, and what is known after it.
-pub(super) fn search_step(context: &Context, event: &Event, course: &mut Course, page: &mut Pen) {
+/// What is known of the ray at a step of the search, whether the step is written or not.
+pub(super) fn before_step(context: &Context, step: &Step, course: &mut Course) {
+    let Step::Search(event) = step else {
+        return;
+    };
     course.follow_slabs(event);
     if let Event::GridEnter(enter) = event {
         course.grid = cells::grid_along(context, enter, course);
     }
-    search(context, event, course, page);
-    course.last = Some(*event);
 }
 
 /// One step of the search.
-fn search(context: &Context, event: &Event, course: &Course, page: &mut Pen) {
+pub(super) fn search(context: &Context, event: &Event, course: &Course, page: &mut Pen) {
     if !context.shows(event.kind()) {
         return;
     }

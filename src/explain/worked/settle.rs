@@ -9,18 +9,19 @@ use std::ops::Range;
 use crate::explain::page::{Page, Section, StepAddress, StepRange};
 use crate::explain::worked::extent::Extent;
 use crate::explain::worked::pen::Draft;
-use crate::trace::{Kind, Kinds, Record};
+use crate::trace::{Kind, Record};
 
-/// The page of these lines. `of_page` are the places of the records that it is about, `kinds` those that it shows.
+/// The page of these lines. `of_page` are the places of the records that it is about; of them it shows those that
+/// `is_shown` says.
 pub(super) fn settle(
     drafts: Vec<Draft>,
     records: &[Record],
     of_page: Range<usize>,
-    kinds: Kinds,
+    is_shown: impl Fn(usize) -> bool,
 ) -> Page {
     let told = apart(drafts.iter().filter_map(|draft| draft.extent));
     let mut whole = told.clone();
-    let shown = |place: &usize| kinds.contains(records[*place].event.kind());
+    let shown = |place: &usize| is_shown(*place);
     let section = |place: usize| Section::of(&records[place]);
     // between two steps, before the first and behind the last
     for next in 0..=told.len() {

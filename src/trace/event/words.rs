@@ -49,6 +49,20 @@ macro_rules! words {
     };
 }
 
+/// Gives out the word of a value, for words that people read.
+macro_rules! readable {
+    ($($type:ident),+) => {
+        $(impl $type {
+            /// The word of the log.
+            pub fn word(self) -> &'static str {
+                Self::WORDS[self.place()].1
+            }
+        })+
+    };
+}
+
+readable! { RayVerdict, PhotonVerdict, Visibility, Verdict, Why, NodeVerdict, QueueAction }
+
 words! {
     /// How many real roots an equation has.
     pub(super) enum RootCount: None by default {

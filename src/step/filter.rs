@@ -1,0 +1,300 @@
+//! What a reader looks for: `rejected`, `kind=cell object=A`, a word of a title.
+//!
+//! A condition `key=value` is about the line of the log: its key, and its value as it stands there or as it is shown. A word
+//! alone is a value of the line, such as a verdict, a kind or a name, or a part of a step's title.
+
+use std::fmt;
+
+use crate::explain::shown;
+use crate::scene::{Scene, nearest_name};
+use crate::step::cursor::place;
+use crate::step::headline::headline;
+use crate::step::tree::StepLog;
+use crate::trace::{EventWriter, Kind, LogNames, Record};
+
+/// Conditions that all must hold.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Filter {
+    /// The kind of event that leads the step; absent: any.
+    kind: Option<Kind>,
+    conditions: Vec<Condition>,
+}
+
+#[derive(Clone, Debug, PartialEq)]
+enum Condition {
+    /// A key of the line with its value.
+    Field(String, String),
+    /// A value of the line, or a part of the title, small and large letters alike.
+    Word(String),
+}
+
+/// Why something is no filter.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum FilterError {
+    /// Nothing is asked for.
+    Empty,
+    /// There is no kind of this name; the name that is most like it.
+    Kind(String, Option<String>),
+    /// A key or a value is missing.
+    Form(String),
+}
+
+impl std::error::Error for FilterError {}
+
+impl fmt::Display for FilterError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Empty => write!(
+                f,
+                "say what to look for, as in /rejected or /kind=cell object=A"
+            ),
+            Self::Kind(name, Some(near)) => {
+                write!(f, "there is no kind {name:?}; did you mean {near}?")
+            }
+            Self::Kind(name, None) => {
+                let names = Kind::ALL.map(Kind::name).join(", ");
+                write!(f, "there is no kind {name:?}; the kinds are {names}")
+            }
+            Self::Form(text) => write!(
+                f,
+                "{text:?} is no condition: give key=value, as in object=A, or a word"
+            ),
+        }
+    }
+}
+
+impl Filter {
+    /// A filter from its words, of which one in quotation marks may have spaces.
+    ///
+    /// # Errors
+    /// No words, a kind that does not exist, a condition without key or value.
+    pub fn new(words: &[String]) -> Result<Self, FilterError> {
+        let mut filter = Self::default();
+        for word in words {
+            match word.split_once('=') {
+                None => filter.conditions.push(Condition::Word(word.clone())),
+                Some(("kind", name)) => {
+                    let wrong = || {
+                        let near = nearest_name(name, Kind::ALL.map(Kind::name).into_iter());
+                        FilterError::Kind(name.into(), near)
+                    };
+                    filter.kind = Some(Kind::named(name).ok_or_else(wrong)?);
+                }
+                Some((key, value)) if key.is_empty() || value.is_empty() => {
+                    return Err(FilterError::Form(word.clone()));
+                }
+                Some((key, value)) => filter
+                    .conditions
+                    .push(Condition::Field(key.into(), value.into())),
+            }
+        }
+        if filter == Self::default() {
+            return Err(FilterError::Empty);
+        }
+        Ok(filter)
+    }
+
+    /// The steps that it names, in the order of the log.
+    ///
+    /// With a kind they are the steps that such an event leads, if each other condition holds for one of the step's events on
+    /// the same ray: the cells that list A. Without one, they are the events for which all conditions hold, or the tests that
+    /// those are terms of.
+    pub fn targets(&self, log: &StepLog) -> Vec<usize> {
+        let mut held = Held::new(log);
+        let mut targets: Vec<usize> = Vec::new();
+        for (event, record) in log.records.iter().enumerate() {
+            let step = match self.kind {
+                None if self.holds(event, &mut held) => log.landing(event),
+                Some(kind) if record.event.kind() == kind => {
+                    let step = led_by(log, event);
+                    if !self.holds_in(step, &mut held) {
+                        continue;
+                    }
+                    step
+                }
+                _ => continue,
+            };
+            if targets.last() != Some(&step) {
+                targets.push(step);
+            }
+        }
+        targets.sort_by_key(|&step| place(log, step));
+        targets.dedup();
+        targets
+    }
+
+    fn holds(&self, event: usize, held: &mut Held) -> bool {
+        let step = led_by(held.log, event);
+        let mut conditions = self.conditions.iter();
+        conditions.all(|condition| held.holds(event, step, condition))
+    }
+
+    /// Does each condition hold for an event of the step that is on its ray?
+    fn holds_in(&self, step: usize, held: &mut Held) -> bool {
+        let of = held.log.step(step);
+        let ray = |record: &Record| (record.path, record.ray);
+        let own = ray(&held.log.records[of.lead]);
+        self.conditions.iter().all(|condition| {
+            let mut events = of.events.clone();
+            events.any(|event| {
+                let is_own = ray(&held.log.records[event]) == own;
+                is_own && held.holds(event, step, condition)
+            })
+        })
+    }
+}
+
+/// The largest step that an event leads.
+fn led_by(log: &StepLog, event: usize) -> usize {
+    let leaf = log.leaf(event);
+    let above = log.above(leaf).take_while(|&above| {
+        let step = log.step(above);
+        step.lead == event && !step.is_fold() && step.parent.is_some()
+    });
+    above.last().unwrap_or(leaf)
+}
+
+/// Looks at the lines of the log, one at a time.
+struct Held<'a, 'l> {
+    log: &'a StepLog<'l>,
+    names: LogNames,
+    line: Vec<u8>,
+    /// The event whose line that is.
+    of: Option<usize>,
+}
+
+impl<'a, 'l> Held<'a, 'l> {
+    fn new(log: &'a StepLog<'l>) -> Self {
+        let scene: &Scene = log.scene;
+        Self {
+            log,
+            names: LogNames::new(scene),
+            line: Vec::new(),
+            of: None,
+        }
+    }
+
+    fn holds(&mut self, event: usize, step: usize, condition: &Condition) -> bool {
+        if self.of != Some(event) {
+            self.line.clear();
+            let record = &self.log.records[event];
+            EventWriter::new(&self.names).line(record, &mut self.line);
+            self.of = Some(event);
+        }
+        let line = std::str::from_utf8(&self.line).unwrap_or_default();
+        match condition {
+            Condition::Field(key, value) => {
+                field(line, key).is_some_and(|found| is_value(found, value))
+            }
+            Condition::Word(word) => {
+                has_word(line, word) || {
+                    let title = headline(self.log, step).to_lowercase();
+                    title.contains(&word.to_lowercase())
+                }
+            }
+        }
+    }
+}
+
+/// The value of a key as it stands in the line. Quotation marks inside a name are escaped, so no name looks like a key.
+fn field<'a>(line: &'a str, key: &str) -> Option<&'a str> {
+    let start = format!("\"{key}\":");
+    let at = line.match_indices(&start).find(|(at, _)| {
+        let before = line[..*at].chars().next_back();
+        matches!(before, Some(',' | '{'))
+    });
+    let rest = &line[at?.0 + start.len()..];
+    let end = match rest.as_bytes().first()? {
+        b'"' => {
+            let mut escaped = false;
+            let end = rest[1..].find(|c| {
+                let ends = c == '"' && !escaped;
+                escaped = c == '\\' && !escaped;
+                ends
+            });
+            end? + 2
+        }
+        b'[' => rest.find(']')? + 1,
+        _ => rest.find([',', '}'])?,
+    };
+    Some(&rest[..end])
+}
+
+/// Is a value of the line what was asked for: as it stands, as a name, as a list without brackets, or as the number that is
+/// shown?
+fn is_value(found: &str, asked: &str) -> bool {
+    /// Significant digits, as in the worked solution.
+    const DIGITS: u32 = 6;
+    if found == asked {
+        return true;
+    }
+    if found.starts_with('"') {
+        let quoted = serde_json::Value::from(asked).to_string();
+        return found == quoted;
+    }
+    if let Some(list) = found.strip_prefix('[') {
+        return list.strip_suffix(']') == Some(asked);
+    }
+    match (found.parse::<f64>(), asked.replace('−', "-").parse::<f64>()) {
+        (Ok(found), Ok(asked)) => shown(found, DIGITS) == shown(asked, DIGITS),
+        _ => false,
+    }
+}
+
+/// Is a word one of the line's values?
+fn has_word(line: &str, word: &str) -> bool {
+    let value = format!(":\"{word}\"");
+    line.match_indices(&value).any(|(at, _)| {
+        let before = line[..at].chars().next_back();
+        before == Some('"')
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const LINE: &str = r#"{"kind":"cell","step":3,"object":"a \",\"ray\":7,\" b","cell":[1,0,2],"t":7.9200001,"verdict":"hit"}"#;
+
+    #[test]
+    fn a_field_is_found_by_its_key_and_not_inside_a_name() {
+        assert_eq!(field(LINE, "step"), Some("3"));
+        assert_eq!(field(LINE, "cell"), Some("[1,0,2]"));
+        assert_eq!(field(LINE, "ray"), None);
+        assert_eq!(field(LINE, "verdict"), Some("\"hit\""));
+        assert_eq!(field(LINE, "object"), Some(r#""a \",\"ray\":7,\" b""#));
+    }
+
+    #[test]
+    fn a_value_is_asked_for_as_it_stands_or_as_it_is_shown() {
+        assert!(is_value("7.9200001", "7.92"));
+        assert!(!is_value("7.9200001", "7.93"));
+        assert!(is_value("-2.5", "−2.5"));
+        assert!(is_value("[1,0,2]", "1,0,2") && is_value("[1,0,2]", "[1,0,2]"));
+        assert!(is_value(r#""a \"b\"""#, "a \"b\""));
+        assert!(!is_value("\"hit\"", "hi"));
+    }
+
+    #[test]
+    fn a_word_is_a_whole_value_and_no_part_of_a_name() {
+        assert!(has_word(LINE, "hit") && has_word(LINE, "cell"));
+        assert!(!has_word(LINE, "hi") && !has_word(LINE, "ray"));
+    }
+
+    #[test]
+    fn a_filter_that_says_nothing_or_names_no_kind_is_refused() {
+        let filter = |words: &[&str]| {
+            let words: Vec<String> = words.iter().map(|word| (*word).into()).collect();
+            Filter::new(&words)
+        };
+        assert_eq!(filter(&[]), Err(FilterError::Empty));
+        let near = Some("sphere_test".into());
+        let expected = FilterError::Kind("sphere_tests".into(), near);
+        assert_eq!(filter(&["kind=sphere_tests"]), Err(expected));
+        assert_eq!(
+            filter(&["object="]),
+            Err(FilterError::Form("object=".into()))
+        );
+        assert!(filter(&["kind=cell", "object=A", "Rejected"]).is_ok());
+    }
+}

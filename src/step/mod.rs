@@ -1,0 +1,67 @@
+//! A log as a tree of steps: walked forwards and backwards, with the state at each of them.
+//!
+//! A step is not an event. The events of a pixel are put together into steps of five [`Level`]s: the building, a path of
+//! light or the pixel; a ray; a place, which is a node of the hierarchy or a cell of the grid; a test; a term of it. Many
+//! siblings of one kind and verdict are one step, "7 379 spheres missed". Each event is a leaf of the tree, so the leaves
+//! are the log in its order.
+//!
+//! The way of the data, a file each:
+//!
+//! ```text
+//! records ─▶ group   which events make a place or a test together
+//!          ▶ state   what is known after an event, its quantities, and which event set each (setter); states keeps some
+//!          ▶ builder the steps, in one pass over the records; fold puts siblings together
+//!          ▶ tree    the steps of a log
+//!                     │
+//!                     ├─ cursor    where one stands, and the moves: over, back, into, out, leaf, level
+//!                     ├─ interest, filter   the targets: by themselves, or what a reader asks for
+//!                     ├─ change, who        what a step changed, old → new; which step set a quantity
+//!                     ├─ address, same      a step by the log's number; the same place in another log
+//!                     └─ words, headline    the lines of `explain` that tell a step, and its title
+//! keys      the moves by their keys and words: one table for every face
+//! ```
+//!
+//! Nothing here traces, reads or writes. What a step asks before it shows its verdict is not here yet.
+
+mod address;
+mod builder;
+mod change;
+mod cursor;
+mod filter;
+mod fold;
+mod group;
+mod headline;
+mod interest;
+mod keys;
+mod level;
+mod quantity;
+mod same;
+mod setter;
+mod state;
+mod states;
+#[expect(
+    clippy::module_inception,
+    reason = "the file is found by the name of its idea"
+)]
+mod step;
+mod tree;
+mod verdict;
+mod who;
+mod words;
+
+pub use address::{Address, AddressError};
+pub use change::Change;
+pub use cursor::{Cursor, Grain, Move};
+pub use filter::{Filter, FilterError};
+pub use headline::headline;
+pub use interest::Interest;
+pub use keys::{Command, CommandError, KEYS, Key, PAGE, Shift, commands};
+pub use level::Level;
+pub use quantity::{Held, Quantity, Value};
+pub use same::same_place;
+pub use state::{RayState, State};
+pub use step::Step;
+pub use tree::StepLog;
+pub use verdict::Became;
+pub use who::{Asked, Setter};
+pub use words::StepWords;

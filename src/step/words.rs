@@ -1,0 +1,147 @@
+//! The words of a step: the lines of the worked solution that tell it.
+
+use std::ops::Range;
+
+use crate::explain::{Line, Section, StepAddress, Tone, WorkedSteps};
+use crate::step::level::Level;
+use crate::step::tree::StepLog;
+use crate::trace::Kind;
+
+/// Finds the lines that tell a step.
+#[derive(Debug)]
+pub struct StepWords<'a> {
+    solution: WorkedSteps<'a>,
+}
+
+impl<'a> StepWords<'a> {
+    /// The words of a log.
+    pub fn new(log: &StepLog<'a>) -> Self {
+        Self {
+            solution: WorkedSteps::new(log.scene, log.settings, log.records),
+        }
+    }
+
+    /// The lines that tell a step, from the left edge.
+    ///
+    /// Of a test or a single event they are the lines of the worked solution whose range of steps lies within it; if there are
+    /// none, as for `listed`, those of the range that it belongs to. A heading stands above the first of its lines. A section, a
+    /// ray or a place is told by its own events, and the steps that it holds tell themselves; so does a fold.
+    pub fn of(&self, log: &StepLog, number: usize) -> Vec<Line> {
+        let own = own_events(log, number);
+        if own.is_empty() {
+            return Vec::new();
+        }
+        let wanted: Vec<Range<usize>> = own.iter().map(|own| with_neighbours(log, own)).collect();
+        let page = self.solution.lines(&wanted);
+        let step = &log.step(number).events;
+        let places: Vec<Option<Range<usize>>> = page
+            .lines
+            .iter()
+            .map(|line| {
+                let steps = line.steps?;
+                Some(place(log, steps.first)?..place(log, steps.last)? + 1)
+            })
+            .collect();
+        let meets = |line: &Range<usize>| {
+            let overlap = |own: &Range<usize>| line.start < own.end && own.start < line.end;
+            own.iter().any(overlap)
+        };
+        let within =
+            |line: &Range<usize>| step.start <= line.start && line.end <= step.end && meets(line);
+        let has_words = places.iter().flatten().any(within);
+        let tells = |line: &Range<usize>| if has_words { within(line) } else { meets(line) };
+
+        let mut told = Vec::new();
+        let mut headings = Vec::new();
+        for (line, place) in page.lines.into_iter().zip(places) {
+            match place {
+                None if line.tone == Tone::Heading => headings.push(line),
+                None => {}
+                Some(place) if tells(&place) => {
+                    told.append(&mut headings);
+                    told.push(line);
+                }
+                Some(_) => headings.clear(),
+            }
+        }
+        let left = told.iter().map(|line: &Line| line.indent).min();
+        for line in &mut told {
+            line.indent -= left.unwrap_or_default();
+        }
+        if let Some(first) = told.first_mut() {
+            first.gap = false;
+        }
+        told
+    }
+}
+
+/// The events that tell a step.
+fn own_events(log: &StepLog, number: usize) -> Vec<Range<usize>> {
+    let step = log.step(number);
+    if step.is_leaf() {
+        return vec![step.events.clone()];
+    }
+    match step.level {
+        _ if step.is_fold() => Vec::new(),
+        Level::Test | Level::Term => vec![step.events.clone()],
+        Level::Section | Level::Ray | Level::Place => {
+            let held = &log.steps()[step.children.clone()];
+            let own = held
+                .iter()
+                .filter(|held| held.is_leaf() && held.level == Level::Term);
+            own.map(|own| own.events.clone()).collect()
+        }
+    }
+}
+
+/// The events with their tests, and with what has words before them and behind: an event without words is told with one of
+/// them.
+fn with_neighbours(log: &StepLog, events: &Range<usize>) -> Range<usize> {
+    let whole = |event: usize| log.step(log.landing(event)).events.clone();
+    let has_words = |event: usize| {
+        let lead = log.step(log.landing(event)).lead;
+        let kind = log.records[lead].event.kind();
+        !matches!(kind, Kind::RayEnd | Kind::Node | Kind::SlabRay | Kind::Path)
+    };
+    let mut start = whole(events.start).start;
+    while let Some(before) = start.checked_sub(1) {
+        start = whole(before).start;
+        if has_words(before) {
+            break;
+        }
+    }
+    let mut end = whole(events.end - 1).end;
+    while end < log.records.len() {
+        let behind = end;
+        end = whole(behind).end;
+        if has_words(behind) {
+            break;
+        }
+    }
+    start..end
+}
+
+/// The place of an event among the records.
+fn place(log: &StepLog, at: StepAddress) -> Option<usize> {
+    let key = |section: Section| match section {
+        Section::Building => (0, 0),
+        Section::Path(path) => (1, path),
+        Section::Pixel => (2, 0),
+    };
+    let wanted = (key(at.section), at.step);
+    let of = |event: usize| {
+        let at = StepAddress::of(&log.records[event]);
+        (key(at.section), at.step)
+    };
+    // sections are in this order in the log, and a path comes before those with larger numbers
+    let (mut low, mut high) = (0, log.records.len());
+    while low < high {
+        let middle = usize::midpoint(low, high);
+        if of(middle) < wanted {
+            low = middle + 1;
+        } else {
+            high = middle;
+        }
+    }
+    (low < log.records.len() && of(low) == wanted).then_some(low)
+}
