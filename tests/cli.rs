@@ -8,6 +8,7 @@ mod logs;
 mod manners;
 #[cfg(unix)]
 mod pipes;
+mod step;
 mod usual_strategy;
 
 use raystep::trace::Kind;

@@ -2,6 +2,7 @@
 
 mod colours;
 mod figures;
+mod step;
 mod tracing;
 mod values;
 
@@ -15,6 +16,7 @@ use raystep::tracer::HeatOf;
 use crate::cli::word::one_of;
 pub(crate) use colours::Colours;
 pub(crate) use figures::{Drawing, FigureArgs, FiguresArgs, MdbookArgs, MdbookVerb, WidthName};
+pub(crate) use step::StepArgs;
 pub(crate) use tracing::{Casting, Reading, Tracing};
 pub(crate) use values::refuse_negative;
 use values::{kind, pixel};
@@ -49,6 +51,8 @@ pub(crate) struct Args {
 pub(crate) enum Verb {
     /// Print the worked solution of one pixel.
     Pixel(PixelArgs),
+    /// Step through one pixel, forwards and backwards.
+    Step(StepArgs),
     /// Write every step as a log in JSON Lines.
     Trace(TraceArgs),
     /// Write the picture as PNG.

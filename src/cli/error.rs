@@ -7,6 +7,7 @@ use clap::error::{ContextKind, ContextValue};
 use raystep::book::BookError;
 use raystep::lesson::LessonError;
 use raystep::scene::{Fault, printable};
+use raystep::step::{AddressError, CommandError};
 use raystep::structure::{GridError, StructureError};
 use raystep::trace::{LogError, Region};
 use raystep::tracer::{LightError, LightSetting};
@@ -121,6 +122,16 @@ pub(crate) enum Error {
         ray: u32,
         /// The largest number; `None` if there is no ray at all.
         last: Option<u32>,
+    },
+    /// A step by its number leads nowhere.
+    Address {
+        /// Why.
+        error: AddressError,
+    },
+    /// The script of a stepper is none.
+    Script {
+        /// Why.
+        error: CommandError,
     },
     /// There are more events than the budget allows.
     Budget {
@@ -287,6 +298,8 @@ impl fmt::Display for Error {
                 f,
                 "the pixel has no ray {ray}: no ray was traced for it, or the log has none\n  omit --ray"
             ),
+            Self::Address { error } => write!(f, "--at: {error}"),
+            Self::Script { error } => write!(f, "--script: {error}"),
             Self::Budget { budget } => write!(
                 f,
                 "the budget of {budget} events is used up\n  \

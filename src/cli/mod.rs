@@ -22,6 +22,7 @@ mod same_file;
 mod schema;
 mod signals;
 mod stats;
+mod step;
 mod structure_options;
 mod trace;
 mod usual;
@@ -32,7 +33,7 @@ pub(crate) use error::Error;
 use std::ffi::OsString;
 use std::process::ExitCode;
 
-use clap::{CommandFactory, FromArgMatches};
+use clap::{ArgMatches, CommandFactory, FromArgMatches};
 
 use args::{Args, Colours, Verb};
 
@@ -42,12 +43,13 @@ pub(crate) fn run(arguments: impl Iterator<Item = OsString>) -> Result<ExitCode,
     args::refuse_negative(&arguments)?;
     // before they are parsed, for help and usage errors
     anstream::ColorChoice::write_global(Colours::of(&arguments).into());
-    let Args { verb, quiet, .. } = parse(&arguments)?;
+    let (Args { verb, quiet, .. }, matches) = parse(&arguments)?;
     if quiet {
         notes::be_quiet();
     }
     let done = match verb {
         Verb::Pixel(args) => pixel::run(&args),
+        Verb::Step(args) => step::run(&args, &matches),
         Verb::Trace(args) => trace::run(&args),
         Verb::Render(args) => render::run(&args),
         Verb::Compare(args) => compare::run(&args),
@@ -62,10 +64,11 @@ pub(crate) fn run(arguments: impl Iterator<Item = OsString>) -> Result<ExitCode,
 }
 
 /// The arguments, with a tip where the numbers of one word were given as several.
-fn parse(arguments: &[OsString]) -> Result<Args, Error> {
+fn parse(arguments: &[OsString]) -> Result<(Args, ArgMatches), Error> {
     let command = Args::command().color(Colours::of(arguments).into());
     let matches = |words: &[OsString]| command.clone().try_get_matches_from(words);
-    let parsed = matches(arguments).and_then(|matches| Args::from_arg_matches(&matches));
+    let parsed =
+        matches(arguments).and_then(|matches| Ok((Args::from_arg_matches(&matches)?, matches)));
     parsed.map_err(|error| {
         let makes_sense = |words: &[OsString]| matches(words).is_ok();
         Error::from(one_word::with_tip(error, arguments, makes_sense))

@@ -22,15 +22,37 @@ use crate::cli::stats::{self, LogCounts, Report, Times};
 use crate::cli::usual::Usual;
 
 /// A pixel's trace.
-struct Traced {
-    scene: Scene,
-    settings: Settings,
-    records: Vec<Record>,
+pub(crate) struct Traced {
+    pub(crate) scene: Scene,
+    pub(crate) settings: Settings,
+    pub(crate) records: Vec<Record>,
     /// Did the verb choose the strategy, and no option?
     is_usual: bool,
     /// The grid that was walked, if most objects lie in one of its cells.
     crowded: Option<CrowdedCell>,
     times: Times,
+}
+
+impl Traced {
+    /// Prints what it cost, where `--stats` asks for it.
+    pub(crate) fn tell_stats(&self, file: &Path, format: Option<Format>) -> Result<(), Error> {
+        let Some(format) = format else {
+            return Ok(());
+        };
+        let mut counts = LogCounts::new(&input::name_of(file), &self.settings)?;
+        for record in &self.records {
+            counts.add(record);
+        }
+        let report = Report {
+            scene: &self.scene,
+            settings: &self.settings,
+            is_usual: self.is_usual,
+            crowded: self.crowded,
+            counts: counts.counts(),
+            times: self.times,
+        };
+        stats::tell(format, &report)
+    }
 }
 
 /// Prints the working.
@@ -49,7 +71,7 @@ pub(crate) fn run(args: &PixelArgs) -> Result<(), Error> {
         }
         Input::Log(log) => {
             input::refuse_tracing(&args.scene, &args.tracing)?;
-            from_log(*log, args, started)?
+            from_log(*log, &args.scene, args.pixel, &args.only, started)?
         }
     };
     if let Some(ray) = args.ray {
@@ -62,22 +84,7 @@ pub(crate) fn run(args: &PixelArgs) -> Result<(), Error> {
     }
 
     print(args, &traced)?;
-    if let Some(format) = args.tracing.stats {
-        let mut counts = LogCounts::new(&input::name_of(&args.scene), &traced.settings)?;
-        for record in &traced.records {
-            counts.add(record);
-        }
-        let report = Report {
-            scene: &traced.scene,
-            settings: &traced.settings,
-            is_usual: traced.is_usual,
-            crowded: traced.crowded,
-            counts: counts.counts(),
-            times: traced.times,
-        };
-        stats::tell(format, &report)?;
-    }
-    Ok(())
+    traced.tell_stats(&args.scene, args.tracing.stats)
 }
 
 /// The pixel, if the picture has it.
@@ -95,7 +102,12 @@ pub(crate) fn inside(pixel: [u64; 2], scene: &Scene) -> Result<[u32; 2], Error> 
 }
 
 /// Traces the pixel, and keeps its events up to the budget.
-fn trace(file: &Path, ready: Ready, pixel: [u32; 2], budget: u64) -> Result<Traced, Error> {
+pub(crate) fn trace(
+    file: &Path,
+    ready: Ready,
+    pixel: [u32; 2],
+    budget: u64,
+) -> Result<Traced, Error> {
     let started = Instant::now();
     let strategy = ready.strategy()?;
     let built = Instant::now();
@@ -129,10 +141,17 @@ fn trace(file: &Path, ready: Ready, pixel: [u32; 2], budget: u64) -> Result<Trac
     })
 }
 
-fn from_log(log: Log, args: &PixelArgs, started: Instant) -> Result<Traced, Error> {
-    let pixel = inside(args.pixel, log.scene())?;
+/// The pixel's events in a log, which must hold some; `only` are the kinds that are asked for, if not all are.
+pub(crate) fn from_log(
+    log: Log,
+    file: &Path,
+    pixel: [u64; 2],
+    only: &[Kind],
+    started: Instant,
+) -> Result<Traced, Error> {
+    let pixel = inside(pixel, log.scene())?;
     let missing = |what: String, fix| Error::NotInLog {
-        file: input::name_of(&args.scene),
+        file: input::name_of(file),
         what,
         fix,
     };
@@ -150,7 +169,7 @@ fn from_log(log: Log, args: &PixelArgs, started: Instant) -> Result<Traced, Erro
     }
     if let Some(kept) = log.settings().only.as_deref() {
         let is_kept = |kind: &Kind| kept.iter().any(|name| name == kind.name());
-        if !args.only.is_empty() && !args.only.iter().any(is_kept) {
+        if !only.is_empty() && !only.iter().any(is_kept) {
             let what = format!("this log has only {}", kept.join(", "));
             return Err(missing(
                 what,

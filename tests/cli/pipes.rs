@@ -31,6 +31,8 @@ fn a_closed_pipe_is_no_error_and_nothing_is_said() {
         "convert scene.json -",
         "pixel scene.json 80,60",
         "pixel scene.json 80,60 --format json",
+        "step scene.json 80,60",
+        "step scene.json 80,60 --script leaf",
     ] {
         into_closed_pipe(&folder, words);
     }

@@ -1,0 +1,286 @@
+//! Steps as plain text: no drawing characters, one fact a line.
+
+use std::io::Write;
+
+use raystep::Page;
+use raystep::explain::{Tone, render};
+use raystep::scene::printable;
+use raystep::step::{
+    Asked, Command, Cursor, Filter, Interest, KEYS, Level, Move, PAGE, Shift, StepLog, StepWords,
+    headline,
+};
+
+use crate::cli::Error;
+use crate::cli::output::Output;
+use crate::cli::step::address::Words;
+use crate::cli::step::address_of;
+
+/// What follows a command.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Next {
+    /// More commands.
+    Here,
+    /// The same pixel with the next strategy.
+    Strategy,
+    /// The pixel beside.
+    Pixel(Shift),
+    /// The end.
+    Quit,
+}
+
+/// A reader in a log.
+pub(crate) struct Face<'a, 'l> {
+    log: &'a StepLog<'l>,
+    told: StepWords<'l>,
+    pub(crate) cursor: Cursor,
+    pub(crate) filter: Option<Filter>,
+    targets: Vec<usize>,
+}
+
+impl<'a, 'l> Face<'a, 'l> {
+    /// At a step of a log.
+    pub(crate) fn new(log: &'a StepLog<'l>, cursor: Cursor, filter: Option<Filter>) -> Self {
+        let mut face = Self {
+            log,
+            told: StepWords::new(log),
+            cursor,
+            filter: None,
+            targets: Vec::new(),
+        };
+        face.choose(filter);
+        face
+    }
+
+    /// The targets are what the filter names, or what is of interest.
+    fn choose(&mut self, filter: Option<Filter>) {
+        self.targets = match &filter {
+            Some(filter) => filter.targets(self.log),
+            None => self.log.targets(),
+        };
+        self.filter = filter;
+    }
+
+    /// Does what a command says, and prints what follows.
+    pub(crate) fn obey(
+        &mut self,
+        command: Command,
+        words: &Words,
+        out: &mut Output,
+    ) -> Result<Next, Error> {
+        match command {
+            Command::Move(by) => {
+                self.go(self.cursor.moved(self.log, by), nothing_there(by), out)?;
+            }
+            Command::Page(by) => {
+                let moved = |here: &Cursor| here.moved(self.log, by);
+                let steps = std::iter::successors(moved(&self.cursor), moved);
+                let last = steps.take(PAGE).last();
+                self.go(last, nothing_there(by), out)?;
+            }
+            Command::NextTarget => {
+                let next = self.cursor.next_of(self.log, &self.targets);
+                self.go(next, "there is no target behind this step", out)?;
+            }
+            Command::PreviousTarget => {
+                let previous = self.cursor.previous_of(self.log, &self.targets);
+                self.go(previous, "there is no target before this step", out)?;
+            }
+            Command::Filter(filter) => {
+                self.choose(filter);
+                let what = match self.filter {
+                    Some(_) => "named by the filter",
+                    None => "of interest",
+                };
+                let text = match self.targets.len() {
+                    1 => format!("1 step is {what}"),
+                    many => format!("{many} steps are {what}"),
+                };
+                say(&text, out)?;
+            }
+            Command::Who(asked) => self.who(asked, out)?,
+            Command::Go(step) => match step.parse().and_then(|at| self.log.event_at(at)) {
+                Ok(event) => {
+                    let there = Cursor::at(self.log, self.log.leaf(event));
+                    self.go(Some(there), "", out)?;
+                }
+                Err(error) => say(&error.to_string(), out)?,
+            },
+            Command::Level(level) => {
+                let there = self.cursor.at_level(self.log, level);
+                self.go(Some(there), "", out)?;
+            }
+            Command::View => self.view(out)?,
+            Command::Address => {
+                let at = self.log.step(self.cursor.here).events.start;
+                say(&words.command(&address_of(self.log, at)), out)?;
+            }
+            Command::Keys => {
+                for key in KEYS {
+                    let argument = if key.argument.is_empty() {
+                        String::new()
+                    } else {
+                        format!(" {}", key.argument)
+                    };
+                    let names = key.words.iter().copied().chain([key.key]);
+                    let mut seen: Vec<&str> = Vec::new();
+                    for name in names {
+                        if !seen.contains(&name) {
+                            seen.push(name);
+                        }
+                    }
+                    say(&format!("{}{argument}: {}", seen.join(", "), key.does), out)?;
+                }
+            }
+            Command::Strategy => return Ok(Next::Strategy),
+            Command::Pixel(shift) => return Ok(Next::Pixel(shift)),
+            Command::Quit => return Ok(Next::Quit),
+        }
+        Ok(Next::Here)
+    }
+
+    /// To another step, which is shown; or a message that there is none.
+    fn go(&mut self, to: Option<Cursor>, none: &str, out: &mut Output) -> Result<(), Error> {
+        match to {
+            Some(there) => {
+                self.cursor = there;
+                self.show(out)
+            }
+            None => say(none, out),
+        }
+    }
+
+    /// To the step that set a value.
+    fn who(&mut self, asked: Option<Asked>, out: &mut Output) -> Result<(), Error> {
+        let Some(setter) = self.log.who_set(self.cursor.here, asked) else {
+            return say("no step before this one has set it", out);
+        };
+        let scene = self.log.scene;
+        let text = format!(
+            "{}: {}, set by step {}",
+            setter.quantity.name(scene),
+            setter.value.text(scene),
+            address_of(self.log, setter.event)
+        );
+        say(&text, out)?;
+        let there = Cursor::at(self.log, self.log.landing(setter.event));
+        self.go(Some(there), "", out)
+    }
+
+    /// The step: its title, where it is, its words, and what it changed.
+    pub(crate) fn show(&self, out: &mut Output) -> Result<(), Error> {
+        let log = self.log;
+        let here = self.cursor.here;
+        let step = log.step(here);
+        let title = headline(log, here);
+        let mut text = format!("\n{title}\n{}", self.place());
+        let mut lines = self.told.of(log, here);
+        // a ray's heading is its title already
+        lines.retain(|line| line.tone != Tone::Heading || !title.starts_with(&line.text));
+        text.push_str(&render::plain(&Page { lines }, render::no_hint));
+        let changes = log.changes(here);
+        let mut facts: Vec<String> = changes
+            .iter()
+            .map(|change| {
+                let ray = change
+                    .ray
+                    .map_or(String::new(), |ray| format!("ray {ray}, "));
+                format!("changed: {ray}{}", change.text(log.scene))
+            })
+            .collect();
+        let interest = self.interest(here);
+        facts.extend(interest.map(|interest| format!("of interest: {interest}")));
+        facts.extend(match step.children.len() {
+            0 => None,
+            1 => Some("holds 1 step".into()),
+            many => Some(format!("holds {many} steps")),
+        });
+        for fact in facts {
+            text.push_str(&fact);
+            text.push('\n');
+        }
+        write(&text, out)
+    }
+
+    /// Why the step is a target by itself.
+    fn interest(&self, here: usize) -> Option<Interest> {
+        let of = self.log.interests();
+        let step = self.log.step(here);
+        let first = of.partition_point(|(event, _)| *event < step.events.start);
+        let landed = of[first..]
+            .iter()
+            .take_while(|(event, _)| step.events.contains(event));
+        let landed = landed.filter(|(event, _)| self.log.landing(*event) == here);
+        landed.last().map(|&(_, interest)| interest)
+    }
+
+    /// `level test, steps 2 to 3 of 32, in ray 0`
+    fn place(&self) -> String {
+        let log = self.log;
+        let step = log.step(self.cursor.here);
+        let mut with_above = std::iter::once(self.cursor.here).chain(log.above(self.cursor.here));
+        let section = with_above.find(|&step| log.step(step).level == Level::Section);
+        let end = section.map_or(step.events.end, |section| log.step(section).events.end);
+        let last_of_all = log.records[end - 1].step;
+        let first = address_of(log, step.events.start);
+        let last = log.records[step.events.end - 1].step;
+        let steps = match step.events.len() {
+            1 => format!("step {first} of {last_of_all}"),
+            _ => format!("steps {first} to {last} of {last_of_all}"),
+        };
+        let ray = log.records[step.lead].ray;
+        let ray = ray.map_or(String::new(), |ray| format!(", ray {ray}"));
+        format!("{}, {steps}{ray}\n", step.level)
+    }
+
+    /// All that is known after the step.
+    fn view(&self, out: &mut Output) -> Result<(), Error> {
+        let log = self.log;
+        let state = log.state_after(self.cursor.here);
+        let own = state.quantities.iter().map(|held| (None, held));
+        let rays = state.rays.iter().flat_map(|ray| {
+            let id = Some(ray.id);
+            ray.quantities.iter().map(move |held| (id, held))
+        });
+        let mut lines = Vec::new();
+        let open: Vec<String> = state.rays.iter().map(|ray| ray.id.to_string()).collect();
+        lines.push(match open.as_slice() {
+            [] => "no ray is open".into(),
+            open => format!("open rays: {}", open.join(", ")),
+        });
+        for (ray, (quantity, held)) in own.chain(rays) {
+            let ray = ray.map_or(String::new(), |ray| format!("ray {ray}, "));
+            lines.push(format!(
+                "{ray}{}: {}, set by step {}",
+                quantity.name(log.scene),
+                held.value.text(log.scene),
+                address_of(log, held.by)
+            ));
+        }
+        for line in lines {
+            say(&line, out)?;
+        }
+        Ok(())
+    }
+}
+
+/// Why a move leads nowhere.
+fn nothing_there(by: Move) -> &'static str {
+    match by {
+        Move::Over | Move::NextLeaf | Move::Last => "this is the last step",
+        Move::Back | Move::PreviousLeaf | Move::First => "this is the first step",
+        Move::Into => "this is a single event: nothing is inside",
+        Move::Out => "nothing is around this step",
+    }
+}
+
+/// A message, in lines that cannot control a terminal.
+pub(crate) fn say(text: &str, out: &mut Output) -> Result<(), Error> {
+    let lines: Vec<String> = text.lines().map(printable).collect();
+    write(&format!("{}\n", lines.join("\n")), out)
+}
+
+/// Text as it is.
+pub(crate) fn write(text: &str, out: &mut Output) -> Result<(), Error> {
+    out.write_all(text.as_bytes())
+        .map_err(|error| out.failed(error))
+}
