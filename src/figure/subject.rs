@@ -105,6 +105,15 @@ impl<'a> Figure<'a> {
         DrawnRay::find(self.records()?, self.spec.ray.unwrap_or(0))
     }
 
+    /// The steps at which a ray of the pixel starts and ends.
+    ///
+    /// # Errors
+    /// Nothing was recorded about the pixel.
+    pub(super) fn steps_of(&self, ray: &DrawnRay) -> Result<[Option<u32>; 2], FigureError> {
+        let records = self.records()?;
+        Ok(ray.node.ends_at.map(|at| Some(records.get(at?)?.step)))
+    }
+
     /// The projection that the specification asks for.
     pub(super) fn projection(&self) -> Projection {
         self.spec.view.projection(&self.scene.camera)

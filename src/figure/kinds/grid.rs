@@ -9,10 +9,12 @@ use crate::figure::parts::outline::{self, Outline};
 use crate::figure::parts::plan::{self, Plan};
 use crate::figure::parts::scenery;
 use crate::figure::parts::walk::{Listed, Visit, Walk};
-use crate::figure::sheet::Sheet;
 use crate::figure::sheet::canvas::quantity;
 use crate::figure::sheet::frame::Frame;
-use crate::figure::sheet::look::{Dash, Look};
+use crate::figure::sheet::look::Look;
+use crate::figure::sheet::stage::StageId;
+use crate::figure::sheet::text::formula;
+use crate::figure::sheet::{Sheet, Width};
 use crate::figure::spec::Layer;
 use crate::figure::subject::{DrawnRay, Figure};
 use crate::figure::view::Space;
@@ -32,18 +34,28 @@ pub(super) const KIND: Kind = Kind {
     ],
 };
 
-/// An object that was hit, but behind another.
-const MET: Look = Look {
-    dash: Dash::Alternating,
-    ..Look::ANSWER
-};
-
 fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, FigureError> {
     let ray = figure.ray()?;
     let walk = Walk::of(&ray, figure.scene)?;
     let tested = walk.tested();
+    let cells: Vec<String> = (1..)
+        .zip(&walk.visits)
+        .map(|(number, visit)| cell_in_words(figure, number, visit))
+        .collect();
+    let end = plan::stages(
+        sheet,
+        &ray,
+        &walk,
+        &cells,
+        end_in_words(figure, &ray, &walk),
+    );
     let body = if figure.shows(Layer::Legend) {
-        legend(figure, (&ray, &tested), sheet, body)
+        legend(figure, (&walk, &tested), end, sheet, body)
+    } else {
+        body
+    };
+    let body = if figure.shows(Layer::Lists) {
+        counted(sheet, &walk, end, body)
     } else {
         body
     };
@@ -52,7 +64,8 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
     if figure.shows(Layer::Cells) {
         plan.planes(sheet);
         for (place, visit) in walk.visits.iter().enumerate() {
-            plan.cell(sheet, visit, label(figure, place + 1, visit));
+            let label = label(figure, sheet.width, place + 1, visit);
+            plan.cell(sheet, visit, label);
         }
     }
     if figure.shows(Layer::Objects) {
@@ -65,28 +78,41 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
     }
     if figure.shows(Layer::Tests) {
         for listed in &tested {
-            object(figure, sheet, &plan.space, (&ray, listed));
+            object(figure, sheet, &plan.space, (&ray, listed), end);
         }
     }
     if figure.shows(Layer::Ray) {
         plan.ray(sheet, &walk);
     }
     if figure.shows(Layer::Tests) {
-        hits(figure, sheet, &plan, (&ray, &walk));
+        hits(figure, sheet, &plan, (&ray, &walk), end);
     }
     if figure.shows(Layer::Eye) {
         scenery::eye(figure, sheet, &plan.space);
     }
-    scenery::names_of(figure, sheet, &plan.space, |object| {
-        let is_it = |listed: &Listed| figure.scene.object_of(listed.object).first == object.first;
-        let is_tested = figure.shows(Layer::Tests) && tested.iter().any(is_it);
-        is_tested || figure.shows(Layer::Names)
-    });
+    for object in &figure.scene.objects {
+        let is_it = |listed: &&Listed| figure.scene.object_of(listed.object).first == object.first;
+        // a name belongs to the test, unless all have one
+        let since = tested
+            .iter()
+            .filter(|_| figure.shows(Layer::Tests))
+            .find(is_it);
+        let name = |sheet: &mut Sheet| {
+            scenery::names_of(figure, sheet, &plan.space, |other| {
+                other.first == object.first
+            });
+        };
+        match since {
+            _ if figure.shows(Layer::Names) => name(sheet),
+            Some(listed) => sheet.event(listed.step, name),
+            None => {}
+        }
+    }
     Ok(in_words(figure, &ray, &walk))
 }
 
 /// The number of a cell, and its list if lists are shown: what was tested before stands in brackets.
-fn label(figure: &Figure, number: usize, visit: &Visit) -> String {
+fn label(figure: &Figure, width: Width, number: usize, visit: &Visit) -> String {
     if !figure.shows(Layer::Lists) || visit.listed.is_empty() {
         return number.to_string();
     }
@@ -98,7 +124,10 @@ fn label(figure: &Figure, number: usize, visit: &Visit) -> String {
         }
     });
     let names: Vec<String> = names.collect();
-    format!("{number}: {}", names.join(", "))
+    match width {
+        Width::Book => format!("{number}: {}", names.join(", ")),
+        Width::Slide => names.join(", "),
+    }
 }
 
 /// Was this object the nearest in the end?
@@ -106,26 +135,50 @@ fn is_nearest(ray: &DrawnRay, object: PrimitiveId) -> bool {
     ray.node.end.is_some_and(|end| end.object == Some(object))
 }
 
-fn look(ray: &DrawnRay, tested: &Listed) -> Look {
-    match tested.met {
-        Some(true) if is_nearest(ray, tested.object) => Look::ANSWER,
-        Some(true) => MET,
-        _ => Look::REJECTED,
+/// An object that was tested, over its own outline; in the end the nearest one.
+fn object(
+    figure: &Figure,
+    sheet: &mut Sheet,
+    space: &Space,
+    (ray, tested): (&DrawnRay, &Listed),
+    end: StageId,
+) {
+    let shape = &figure.scene.primitive(tested.object).shape;
+    let outline = Outline::of(shape, &space.projection);
+    let over = |sheet: &mut Sheet, look: Look| {
+        outline::rim(sheet, space, &outline.rim, Look::PAPER_LINE.wide(2.0));
+        outline::draw(sheet, space, &outline, look);
+    };
+    let is_hit = tested.met == Some(true);
+    let look = if is_hit { Look::MET } else { Look::REJECTED };
+    sheet.event(tested.step, |sheet| over(sheet, look));
+    if is_hit && is_nearest(ray, tested.object) {
+        sheet.at(end, |sheet| over(sheet, Look::ANSWER));
     }
 }
 
-/// An object that was tested, over its own outline.
-fn object(figure: &Figure, sheet: &mut Sheet, space: &Space, (ray, tested): (&DrawnRay, &Listed)) {
-    let shape = &figure.scene.primitive(tested.object).shape;
-    let outline = Outline::of(shape, &space.projection);
-    sheet.step(tested.step, |sheet| {
-        outline::rim(sheet, space, &outline.rim, Look::PAPER_LINE.wide(2.0));
-        outline::draw(sheet, space, &outline, look(ray, tested));
-    });
+/// The number of tests, if mailboxes have saved some.
+fn counted(sheet: &mut Sheet, walk: &Walk, end: StageId, body: Frame) -> Frame {
+    let all = walk.visits.iter().flat_map(|visit| &visit.listed);
+    let listed = all.clone().count();
+    let tested = all.filter(|listed| listed.met.is_some()).count();
+    if tested == listed {
+        return body;
+    }
+    let tests = if tested == 1 { "test" } else { "tests" };
+    let saved =
+        format!("{tested} {tests} in place of {listed}: in brackets what was tested before");
+    sheet.at(end, |sheet| sheet.lines(body, &[saved]))
 }
 
 /// Where objects were hit.
-fn hits(figure: &Figure, sheet: &mut Sheet, plan: &Plan, (ray, walk): (&DrawnRay, &Walk)) {
+fn hits(
+    figure: &Figure,
+    sheet: &mut Sheet,
+    plan: &Plan,
+    (ray, walk): (&DrawnRay, &Walk),
+    end: StageId,
+) {
     let frame = plan.space.frame;
     for (place, visit) in walk.visits.iter().enumerate() {
         for listed in &visit.listed {
@@ -133,9 +186,12 @@ fn hits(figure: &Figure, sheet: &mut Sheet, plan: &Plan, (ray, walk): (&DrawnRay
                 continue;
             };
             let at = plan.place(outside.t);
-            sheet.step(listed.step, |sheet| {
-                sheet.ring(MET, at);
-                let beyond = format!("beyond cell {}", place + 1);
+            sheet.event(listed.step, |sheet| {
+                sheet.ring(Look::MET, at);
+                let beyond = match sheet.width {
+                    Width::Book => format!("hit beyond cell {}", place + 1),
+                    Width::Slide => "beyond its cell".into(),
+                };
                 sheet.label(frame, at, plan.above(), beyond);
             });
         }
@@ -144,39 +200,56 @@ fn hits(figure: &Figure, sheet: &mut Sheet, plan: &Plan, (ray, walk): (&DrawnRay
         return;
     };
     let at = plan.place(t);
-    sheet.step(plan.last_step(), |sheet| {
+    sheet.at(end, |sheet| {
         sheet.dot(Look::ANSWER, at);
         if figure.shows(Layer::Numbers) {
-            sheet.label(frame, at, plan.above(), format!("t = {}", quantity(t)));
+            sheet.label(frame, at, plan.above(), formula("t = ") + quantity(t));
         }
     });
 }
 
-/// The looks that this figure distinguishes.
+/// The looks that this figure distinguishes, each since it is seen first.
 fn legend(
     figure: &Figure,
-    (ray, tested): (&DrawnRay, &[Listed]),
+    (walk, tested): (&Walk, &[Listed]),
+    end: StageId,
     sheet: &mut Sheet,
     body: Frame,
 ) -> Frame {
+    let mut listed = walk.visits.iter().flat_map(|visit| &visit.listed);
+    let is_beyond = listed.any(|of| of.outside.is_some());
     let mut entries = Vec::new();
     if figure.shows(Layer::Cells) {
-        entries.push((plan::EMPTY, "visited, empty"));
-        entries.push((plan::LISTED, "visited, with objects"));
+        let first = |is_empty: bool| {
+            let mut visits = walk.visits.iter();
+            let first = visits.find(|visit| (visit.length == 0) == is_empty);
+            first.map(|visit| visit.step)
+        };
+        entries.push((first(true), plan::EMPTY, "visited"));
+        entries.push((first(false), plan::LISTED, "with objects"));
     }
     if figure.shows(Layer::Tests) {
-        let looks: Vec<Look> = tested.iter().map(|of| look(ray, of)).collect();
-        let known = [
-            (Look::ANSWER, "hit"),
-            (MET, "hit, but farther"),
-            (Look::REJECTED, "missed"),
-        ];
-        entries.extend(known.into_iter().filter(|(look, _)| looks.contains(look)));
-        if looks.len() < figure.scene.primitives.len() {
-            entries.push((Look::CULLED, "not tested"));
+        let first = |is_hit: bool| {
+            let tests = tested.iter().filter(|of| of.met == Some(is_hit));
+            tests.map(|of| of.step).min()
+        };
+        if is_beyond {
+            entries.push((first(true), Look::MET, "hit"));
         }
+        entries.push((first(false), Look::REJECTED, "missed"));
     }
-    sheet.legend(body, &entries)
+    let mut entries: Vec<_> = entries
+        .into_iter()
+        .filter_map(|(step, look, text)| Some((sheet.stage_of(step?), look, text)))
+        .collect();
+    if tested.iter().any(|of| of.met == Some(true)) {
+        let name = if is_beyond { "nearest hit" } else { "hit" };
+        entries.push((Some(end), Look::ANSWER, name));
+    }
+    if figure.shows(Layer::Tests) && tested.len() < figure.scene.primitives.len() {
+        entries.push((None, Look::CULLED, "not tested"));
+    }
+    sheet.staged_legend(body, &entries)
 }
 
 /// The walk in words.
@@ -188,23 +261,30 @@ fn in_words(figure: &Figure, ray: &DrawnRay, walk: &Walk) -> String {
         "Ray R visits {count} {cells} of a grid of {nx} × {ny} × {nz}."
     )];
     let visits = (1..).zip(&walk.visits);
-    sentences.extend(visits.filter_map(|(number, visit)| list_in_words(figure, number, visit)));
-    let met = ray.node.end.and_then(|end| end.object.zip(end.t));
-    sentences.push(match (met, walk.end) {
-        (Some((object, t)), _) => {
-            let name = scenery::name_of(figure.scene, object);
-            format!("It hits {name} at t = {}.", quantity(t))
-        }
-        (None, WalkEnd::Outside) => "It misses the grid.".into(),
-        (None, _) => "It hits no object.".into(),
-    });
+    let listed = visits.filter(|(_, visit)| !visit.listed.is_empty());
+    sentences.extend(listed.map(|(number, visit)| cell_in_words(figure, number, visit)));
+    sentences.push(end_in_words(figure, ray, walk));
     sentences.join(" ")
 }
 
-/// What became of the objects on a cell's list; `None` if there are none.
-fn list_in_words(figure: &Figure, number: u32, visit: &Visit) -> Option<String> {
-    if visit.listed.is_empty() {
-        return None;
+/// What a ray through the grid hits.
+fn end_in_words(figure: &Figure, ray: &DrawnRay, walk: &Walk) -> String {
+    let met = ray.node.end.and_then(|end| end.object.zip(end.t));
+    match (met, walk.end) {
+        (Some((object, t)), _) => {
+            let name = scenery::name_of(figure.scene, object);
+            format!("The ray hits {name} at t = {}.", quantity(t))
+        }
+        (None, WalkEnd::Outside) => "The ray misses the grid.".into(),
+        (None, _) => "The ray hits no object.".into(),
+    }
+}
+
+/// What became of the objects on a cell's list.
+fn cell_in_words(figure: &Figure, number: u32, visit: &Visit) -> String {
+    let cell = cell_name(visit.cell.cell);
+    if visit.length == 0 {
+        return format!("Cell {number}, {cell}: no object is on its list.");
     }
     let found = visit.listed.iter().map(|listed| {
         let name = scenery::name_of(figure.scene, listed.object);
@@ -212,13 +292,12 @@ fn list_in_words(figure: &Figure, number: u32, visit: &Visit) -> Option<String> 
             (None, _) => format!("{name} was tested before"),
             (Some(false), _) => format!("{name} is missed"),
             (Some(true), None) => format!("{name} is hit"),
-            (Some(true), Some(_)) => format!("{name} is hit, but beyond the cell"),
+            (Some(true), Some(outside)) => format!(
+                "{name} is hit, but at t = {}, beyond the cell, so the walk goes on",
+                quantity(outside.t)
+            ),
         }
     });
     let found: Vec<String> = found.collect();
-    let cell = cell_name(visit.cell.cell);
-    Some(format!(
-        "On the list of cell {number}, {cell}: {}.",
-        found.join("; ")
-    ))
+    format!("Cell {number}, {cell}: {}.", found.join("; "))
 }

@@ -6,16 +6,18 @@ use glam::DVec2;
 use crate::explain::cell_name;
 use crate::figure::error::FigureError;
 use crate::figure::kind::Kind;
-use crate::figure::parts::plan::Plan;
+use crate::figure::parts::plan::{self, Plan};
 use crate::figure::parts::scenery;
 use crate::figure::parts::walk::{Visit, Walk, axes};
 use crate::figure::sheet::canvas::quantity;
 use crate::figure::sheet::frame::Frame;
 use crate::figure::sheet::look::Look;
-use crate::figure::sheet::{Anchor, Sheet};
+use crate::figure::sheet::text::formula;
+use crate::figure::sheet::{Anchor, Sheet, Width};
 use crate::figure::spec::Layer;
 use crate::figure::subject::Figure;
-use crate::trace::WalkEnd;
+use crate::geometry::Ray;
+use crate::trace::{GridEnter, WalkEnd};
 
 pub(super) const KIND: Kind = Kind {
     draw,
@@ -40,14 +42,32 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
     let rows: Vec<Row> = (0..walk.visits.len())
         .map(|place| Row::of(&walk, place))
         .collect();
+    let sentences = sentences(&walk, &rows);
+    let ends = match ray.node.end.and_then(|end| end.object.zip(end.t)) {
+        Some((object, t)) => format!(
+            "The ray hits {} at t = {}.",
+            scenery::name_of(figure.scene, object),
+            quantity(t)
+        ),
+        None => "The ray leaves the grid and hits no object.".into(),
+    };
+    plan::stages(sheet, &ray, &walk, &sentences, ends);
+    let apart = ray.node.start.map(|start| apart(&walk, &start.ray));
     let table = Table::new(sheet, body, &rows)?;
     let left = Frame {
         min: body.min,
         max: DVec2::new(table.left - 1.5 * sheet.letters, body.max.y),
     };
-    let plan = Plan::new(figure, (&ray, &walk), left)?;
+    let room = Frame {
+        min: left.min + DVec2::new(3.0 * sheet.letters, 0.0),
+        max: left.max - DVec2::new(0.0, 1.5 * sheet.letters),
+    };
+    let plan = Plan::new(figure, (&ray, &walk), room)?;
 
     plan.planes(sheet);
+    if figure.shows(Layer::Numbers) {
+        plan.indices(sheet, left);
+    }
     if figure.shows(Layer::Objects) {
         scenery::objects(figure, sheet, &plan.space, |_| Look::OBJECT);
     }
@@ -61,32 +81,36 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
         plan.ray(sheet, &walk);
     }
     crossings(figure, sheet, &plan, &walk);
-    table.head(sheet);
+    table.head(sheet, apart.unwrap_or_default());
     for (place, row) in rows.iter().enumerate() {
-        sheet.step(walk.visits[place].step, |sheet| {
+        sheet.event(walk.visits[place].step, |sheet| {
             table.row(sheet, place, row);
         });
     }
-    Ok(in_words(&walk, &rows))
+    Ok(sentences.join(" "))
 }
 
 /// Where the ray hits planes: a form for each axis, the t beside it.
 fn crossings(figure: &Figure, sheet: &mut Sheet, plan: &Plan, walk: &Walk) {
     let label = |sheet: &mut Sheet, t: f64, towards: DVec2| {
-        if figure.shows(Layer::Numbers) {
+        // on a slide they stand in the table alone
+        if figure.shows(Layer::Numbers) && sheet.width == Width::Book {
             /// The number of letters that fit beside `t = ` in a cell.
             const ROOM: usize = 5;
             let mut text = quantity(t);
             if text.len() <= ROOM {
                 text = format!("t = {text}");
             }
-            sheet.label(plan.space.frame, plan.place(t), towards, text);
+            sheet.label(plan.space.frame, plan.place(t), towards, formula(&text));
         }
     };
     let above = plan.above();
     if let Some(first) = walk.visits.first() {
         // the plane through which it comes in has no event of its own
-        sheet.step(first.step, |sheet| {
+        sheet.event(walk.step, |sheet| {
+            if let Some(axis) = plan.entered_across(first.cell.t_in) {
+                marker(sheet, axis, plan.place(first.cell.t_in));
+            }
             label(sheet, first.cell.t_in, above);
         });
     }
@@ -94,9 +118,7 @@ fn crossings(figure: &Figure, sheet: &mut Sheet, plan: &Plan, walk: &Walk) {
         if !crosses(walk, place) {
             continue;
         }
-        // it is crossed when the ray enters the next cell, and stands above that cell's area
-        let next = walk.visits.get(place + 1);
-        sheet.step(next.map_or(plan.last_step(), |next| next.step), |sheet| {
+        sheet.event(visit.step, |sheet| {
             let at = plan.place(visit.cell.t_out);
             for &axis in axes(visit.cell.across) {
                 marker(sheet, axis, at);
@@ -110,6 +132,15 @@ fn crossings(figure: &Figure, sheet: &mut Sheet, plan: &Plan, walk: &Walk) {
             );
         });
     }
+}
+
+/// How much t grows from one plane to the next across each axis: the size of a cell divided by that part of Δ.
+fn apart(walk: &Walk, ray: &Ray) -> [f64; 3] {
+    let GridEnter {
+        around, resolution, ..
+    } = &walk.grid;
+    let size = around.size();
+    [0, 1, 2].map(|axis| size[axis] / f64::from(resolution[axis]) / ray.direction[axis].abs())
 }
 
 /// Does the walk go on across a plane after this cell, or leave the grid there?
@@ -162,13 +193,7 @@ impl Row {
         };
         Self {
             cell: cell_name(visit.cell.cell),
-            next: visit.cell.next.map(|t| {
-                if t.is_finite() {
-                    quantity(t)
-                } else {
-                    "∞".into()
-                }
-            }),
+            next: visit.cell.next.map(|t| finite(t, quantity)),
             chosen,
             then: match (walk.visits.get(place + 1), walk.end) {
                 (Some(next), _) => index_steps(visit, next),
@@ -176,6 +201,15 @@ impl Row {
                 (None, _) => "leaves".into(),
             },
         }
+    }
+}
+
+/// A t; ∞ across an axis along which the ray does not go.
+fn finite(t: f64, shown: fn(f64) -> String) -> String {
+    if t.is_finite() {
+        shown(t)
+    } else {
+        "∞".into()
     }
 }
 
@@ -199,6 +233,8 @@ struct Table {
     left: f64,
     top: f64,
     em: f64,
+    /// From row to row in sizes of letters.
+    row: f64,
     /// Widths of the columns in sizes of letters: the cell, a t, and what follows.
     cell: f64,
     next: f64,
@@ -207,19 +243,20 @@ struct Table {
 
 /// Width of the first column in sizes of letters.
 const NUMBER: f64 = 1.8;
-/// From row to row.
-const ROW: f64 = 1.9;
-/// Above the first row: two lines.
-const HEAD: f64 = 3.4;
+/// From row to row, at least and at most.
+const ROW: [f64; 2] = [1.5, 1.9];
+/// Above the first row: three lines.
+const HEAD: f64 = 5.3;
 
 impl Table {
     /// At the right of a frame, in the middle of its height.
     fn new(sheet: &Sheet, frame: Frame, of: &[Row]) -> Result<Self, FigureError> {
         let em = sheet.letters;
         let rows = of.len();
-        let height = (HEAD + ROW * rows as f64) * em;
-        if frame.size().y < height {
-            let most = ((frame.size().y / em - HEAD) / ROW).floor();
+        let room = frame.size().y / em - HEAD;
+        let row = (room / rows as f64).min(ROW[1]);
+        if row < ROW[0] {
+            let most = (room / ROW[0]).floor();
             return Err(FigureError::new(
                 "pixel",
                 format!("the ray visits {rows} cells, and the table has room for {most}"),
@@ -229,15 +266,20 @@ impl Table {
         // as wide as the longest text; the least keeps the heads apart
         let wide = |text: &String| sheet.width_of(text) / em;
         let cells = of.iter().map(|row| wide(&row.cell) + 1.0);
-        let cell = cells.fold(5.2, f64::max);
+        // on a slide the indices stand at the grid alone
+        let cell = match sheet.width {
+            Width::Book => cells.fold(5.2, f64::max),
+            Width::Slide => 0.6,
+        };
         let nexts = of.iter().flat_map(|row| &row.next);
         let next = nexts.map(|t| wide(t) + 0.7).fold(3.9, f64::max);
         let thens = of.iter().map(|row| wide(&row.then) + 0.8);
         let then = thens.fold(4.0, f64::max);
         Ok(Self {
             left: frame.max.x - (NUMBER + cell + 3.0 * next + then) * em,
-            top: frame.middle().y - 0.5 * height,
+            top: frame.middle().y - 0.5 * (HEAD + row * rows as f64) * em,
             em,
+            row,
             cell,
             next,
             then,
@@ -253,26 +295,31 @@ impl Table {
         self.left + (NUMBER + self.cell + 3.0 * self.next + 0.8) * self.em
     }
 
-    fn head(&self, sheet: &mut Sheet) {
+    fn head(&self, sheet: &mut Sheet, apart: [f64; 3]) {
         let em = self.em;
         let first = self.top + 0.7 * em;
         let second = self.top + 2.3 * em;
+        let third = self.top + 4.1 * em;
         let at = DVec2::new;
         sheet.text(
             Anchor::Middle,
             at(self.next(1), first),
-            "t of the next plane across",
+            formula("t") + " of the next plane across",
         );
-        sheet.text(
-            Anchor::Start,
-            at(self.left + NUMBER * em, second),
-            "[i, j, k]",
-        );
+        let has_cells = sheet.width == Width::Book;
+        if has_cells {
+            let place = at(self.left + NUMBER * em, second);
+            sheet.text(Anchor::Start, place, formula("[i, j, k]"));
+        }
         for (axis, name) in ["x", "y", "z"].into_iter().enumerate() {
             let x = self.next(axis);
             marker(sheet, axis, at(x - 0.6 * em, second));
-            sheet.text(Anchor::Start, at(x + 0.1 * em, second), name);
+            sheet.text(Anchor::Start, at(x + 0.1 * em, second), formula(name));
+            let step = finite(apart[axis], quantity);
+            sheet.text(Anchor::Middle, at(x, third), format!("+ {step}"));
         }
+        let left = self.left + if has_cells { NUMBER * em } else { 0.0 };
+        sheet.text(Anchor::Start, at(left, third), formula("Δt"));
         sheet.text(Anchor::Start, at(self.then(), second), "then");
         let y = self.top + HEAD * em - 0.1 * em;
         let right = self.then() + (self.then - 0.8) * em;
@@ -281,10 +328,10 @@ impl Table {
 
     fn row(&self, sheet: &mut Sheet, place: usize, row: &Row) {
         let em = self.em;
-        let y = self.top + (HEAD + (place as f64 + 0.5) * ROW) * em;
+        let y = self.top + (HEAD + (place as f64 + 0.5) * self.row) * em;
         let at = DVec2::new;
         for &axis in &row.chosen {
-            let half = DVec2::new(0.46 * self.next, 0.42 * ROW) * em;
+            let half = DVec2::new(0.46 * self.next, 0.42 * self.row) * em;
             let middle = at(self.next(axis), y);
             let frame = Frame {
                 min: middle - half,
@@ -297,16 +344,18 @@ impl Table {
             at(self.left + (NUMBER - 0.6) * em, y),
             (place + 1).to_string(),
         );
-        sheet.text(Anchor::Start, at(self.left + NUMBER * em, y), &row.cell);
+        if sheet.width == Width::Book {
+            sheet.text(Anchor::Start, at(self.left + NUMBER * em, y), &row.cell);
+        }
         for (axis, t) in row.next.iter().enumerate() {
             sheet.text(Anchor::Middle, at(self.next(axis), y), t);
         }
-        sheet.text(Anchor::Start, at(self.then(), y), &row.then);
+        sheet.text(Anchor::Start, at(self.then(), y), formula(&row.then));
     }
 }
 
 /// The steps in words.
-fn in_words(walk: &Walk, rows: &[Row]) -> String {
+fn sentences(walk: &Walk, rows: &[Row]) -> Vec<String> {
     let sentences = rows.iter().enumerate().map(|(place, row)| {
         let [x, y, z] = &row.next;
         let across: Vec<&str> = row.chosen.iter().map(|&axis| ["x", "y", "z"][axis]).collect();
@@ -322,15 +371,13 @@ fn in_words(walk: &Walk, rows: &[Row]) -> String {
             row.cell
         )
     });
-    let sentences: Vec<String> = sentences.collect();
-    sentences.join(" ")
+    sentences.collect()
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::structure::{Across, CellStep};
-    use crate::trace::GridEnter;
 
     fn visit(cell: [u32; 3], next: [f64; 3], across: Across) -> Visit {
         Visit {

@@ -2,12 +2,16 @@
 
 use glam::{DVec2, DVec3};
 
+use crate::explain::Part;
 use crate::figure::error::FigureError;
 use crate::figure::parts::outline::{self, Outline};
 use crate::figure::parts::walk::{Visit, Walk};
 use crate::figure::sheet::Sheet;
+use crate::figure::sheet::canvas::brief;
 use crate::figure::sheet::frame::Frame;
 use crate::figure::sheet::look::Look;
+use crate::figure::sheet::stage::{StageId, parts};
+use crate::figure::sheet::text::{Text, formula};
 use crate::figure::spec::Layer;
 use crate::figure::subject::{DrawnRay, Figure};
 use crate::figure::view::{Projection, Space};
@@ -20,14 +24,14 @@ pub(in crate::figure) struct Plan {
     lattice: Lattice,
     /// The axis along which it is seen.
     depth: usize,
-    part: Option<Part>,
+    part: Option<Shown>,
     /// The step at which the ray ends.
     last_step: u32,
 }
 
 /// What is to be seen of a ray.
 #[derive(Clone, Copy)]
-struct Part {
+struct Shown {
     ray: Ray,
     /// Where it begins to be seen.
     from: f64,
@@ -83,11 +87,45 @@ impl Plan {
         }
     }
 
+    /// The indices of the cells below and at the left of the grid.
+    pub(in crate::figure) fn indices(&self, sheet: &mut Sheet, within: Frame) {
+        for axis in (0..3).filter(|&axis| axis != self.depth) {
+            let other = 3 - axis - self.depth;
+            let n = self.lattice.resolution;
+            let middle = |index: u32, side: u32| {
+                let end = |index: u32| {
+                    let mut at = [0; 3];
+                    (at[axis], at[other]) = (index, side);
+                    self.space.place(self.lattice.corner(at))
+                };
+                end(index).midpoint(end(index + 1))
+            };
+            let sides = [0, n[other]].map(|side| middle(0, side));
+            let is_level = sides[0].x == sides[1].x;
+            let is_first = if is_level {
+                sides[1].y < sides[0].y
+            } else {
+                sides[0].x < sides[1].x
+            };
+            let side = if is_first { 0 } else { n[other] };
+            let outwards = if is_level { DVec2::Y } else { DVec2::NEG_X };
+            for index in 0..n[axis] {
+                let name = formula(["i = ", "j = ", "k = "][axis]);
+                let text = if index == 0 {
+                    name + index.to_string()
+                } else {
+                    Text::from(index.to_string())
+                };
+                sheet.label(within, middle(index, side), outwards, text);
+            }
+        }
+    }
+
     /// A cell that was visited: its area with a label, and a frame around it if something is on its list.
     pub(in crate::figure) fn cell(&self, sheet: &mut Sheet, visit: &Visit, label: String) {
         let outline = self.lattice.cell(visit.cell.cell, &self.space.projection);
         let look = if visit.length == 0 { EMPTY } else { LISTED };
-        sheet.step(visit.step, |sheet| {
+        sheet.event(visit.step, |sheet| {
             outline::rim(sheet, &self.space, &outline.rim, look);
             if let Some(area) = self.lattice.area(visit.cell.cell, &self.space) {
                 sheet.label_in(area, label);
@@ -104,21 +142,21 @@ impl Plan {
         };
         let [enters, leaves] = part.inside;
         let start = self.place(part.from);
-        sheet.step(walk.step, |sheet| {
+        sheet.event(walk.step, |sheet| {
             line(sheet, Look::LINE_OF_RAY, [enters, leaves]);
             line(sheet, Look::RAY, [part.from, enters]);
             let middle = start.lerp(self.place(enters), 0.5);
             if self.space.frame.contains(middle) {
-                sheet.label(self.space.frame, middle, self.above(), "R");
+                sheet.label(self.space.frame, middle, self.above(), formula("R"));
             }
             for visit in &walk.visits {
-                sheet.step(visit.step, |sheet| {
+                sheet.event(visit.step, |sheet| {
                     let to = visit.cell.t_out.min(part.ends);
                     line(sheet, Look::RAY, [visit.cell.t_in.min(to), to]);
                 });
             }
         });
-        sheet.step(self.last_step, |sheet| {
+        sheet.event(self.last_step, |sheet| {
             let ends = [start, self.place(part.ends)];
             if let Some([from, to]) = self.space.frame.cut_line(ends) {
                 sheet.arrow(Look::RAY, from, to);
@@ -126,9 +164,18 @@ impl Plan {
         });
     }
 
-    /// The step at which the ray ends.
-    pub(in crate::figure) fn last_step(&self) -> u32 {
-        self.last_step
+    /// The axis of the plane of the box on which the ray is at a t; `None` if it is inside the box.
+    pub(in crate::figure) fn entered_across(&self, t: f64) -> Option<usize> {
+        /// Of the box, for the rounding of a point on its plane.
+        const ON_PLANE: f64 = 1e-6;
+        let point = self.part?.ray.at(t);
+        let around = &self.lattice.around;
+        (0..3).find(|&axis| {
+            let near = ON_PLANE * around.size()[axis];
+            let ends = [around.min, around.max];
+            ends.iter()
+                .any(|end| (end[axis] - point[axis]).abs() <= near)
+        })
     }
 
     /// Where a point of the ray is on the sheet.
@@ -145,12 +192,43 @@ impl Plan {
     }
 }
 
+/// The stages of a walk: the ray that comes to the grid, its cells, and what it hits in the end.
+pub(in crate::figure) fn stages(
+    sheet: &mut Sheet,
+    ray: &DrawnRay,
+    walk: &Walk,
+    cells: &[String],
+    end: String,
+) -> StageId {
+    /// With the first one and the last one a dozen.
+    const MOST: usize = 10;
+    let [nx, ny, nz] = walk.grid.resolution;
+    let enters = match walk.grid.inside {
+        Some([enters, _]) if 0.0 < enters => {
+            format!(
+                "The ray R enters a grid of {nx} × {ny} × {nz} cells at t = {}.",
+                brief(enters)
+            )
+        }
+        Some(_) => format!("The ray R starts in a grid of {nx} × {ny} × {nz} cells."),
+        None => format!("The ray R misses a grid of {nx} × {ny} × {nz} cells."),
+    };
+    sheet.stage(Part::Grid, walk.step, enters);
+    let last = ray.events.last().map_or(walk.step, |record| record.step);
+    for part in parts(walk.visits.len(), MOST) {
+        let next = walk.visits.get(part.end).map(|next| next.step);
+        let step = next.map_or(last, |next| next.saturating_sub(1));
+        sheet.stage(Part::Cell, step, cells[part].join(" "));
+    }
+    sheet.stage(Part::WalkEnd, last, end)
+}
+
 /// A cell that was visited without an object on its list, and with one.
 pub(in crate::figure) const EMPTY: Look = Look::VISITED.inside();
 pub(in crate::figure) const LISTED: Look = Look::VISITED.wide(2.5);
 
 /// A ray that comes from far off is seen from a little before the grid. `None` if it passes by.
-fn shown_part(figure: &Figure, ray: &DrawnRay, walk: &Walk, lattice: &Lattice) -> Option<Part> {
+fn shown_part(figure: &Figure, ray: &DrawnRay, walk: &Walk, lattice: &Lattice) -> Option<Shown> {
     /// Of the box's diagonal, before it and beyond it.
     const BEFORE: f64 = 0.12;
     const BEYOND: f64 = 0.06;
@@ -164,7 +242,7 @@ fn shown_part(figure: &Figure, ray: &DrawnRay, walk: &Walk, lattice: &Lattice) -
     };
     let met = ray.node.end.and_then(|end| end.t);
     let beyond = inside[1] + BEYOND * lattice.diagonal();
-    Some(Part {
+    Some(Shown {
         ray: start.ray,
         from: from.max(0.0),
         inside,

@@ -3,7 +3,7 @@
 use crate::figure::sheet::look::{Colour, Dash, Look};
 use crate::figure::subject::DrawnRay;
 use crate::scene::PrimitiveId;
-use crate::trace::{BoundVerdict, Bounded, Event, NodeVerdict, Record};
+use crate::trace::{BoundTest, BoundVerdict, Bounded, Event, NodeVerdict, NodeVisit, Record};
 
 /// What became of a node in the end.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -55,8 +55,8 @@ impl Verdict {
             Self::Entered => "entered",
             Self::Rejected => "rejected",
             Self::Pruned => "pruned: behind the hit",
-            Self::Waiting => "left waiting",
-            Self::Unreached => "never visited",
+            Self::Waiting => "waits",
+            Self::Unreached => "not visited",
         }
     }
 }
@@ -66,6 +66,32 @@ impl Verdict {
 pub(in crate::figure) struct Visit {
     pub(in crate::figure) verdict: Verdict,
     pub(in crate::figure) step: Option<u32>,
+    /// The step at which its bound was hit, and where the ray enters that.
+    pub(in crate::figure) hit: Option<(u32, f64)>,
+}
+
+/// An object at a leaf that was tested.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(in crate::figure) struct ObjectTest {
+    pub(in crate::figure) object: PrimitiveId,
+    pub(in crate::figure) step: u32,
+    pub(in crate::figure) is_hit: bool,
+    /// Where it is the nearest hit so far.
+    pub(in crate::figure) t: Option<f64>,
+}
+
+/// A node whose turn it is, and what follows before the next one.
+#[derive(Clone, Debug, PartialEq)]
+pub(in crate::figure) struct Turn {
+    pub(in crate::figure) node: u32,
+    /// Is it entered, or left out since a nearer hit is known?
+    pub(in crate::figure) is_entered: bool,
+    /// The last step of it.
+    pub(in crate::figure) last: u32,
+    /// The nodes below it whose bounds the ray hits, and those that it misses.
+    pub(in crate::figure) hit: Vec<u32>,
+    pub(in crate::figure) missed: Vec<u32>,
+    pub(in crate::figure) tested: Vec<ObjectTest>,
 }
 
 /// What happened to the nodes of a hierarchy and to the objects at its leaves.
@@ -73,10 +99,10 @@ pub(in crate::figure) struct Visit {
 pub(in crate::figure) struct Visits {
     /// By the number of the node.
     pub(in crate::figure) nodes: Vec<Visit>,
-    /// Nodes in the order in which they were decided.
-    pub(in crate::figure) order: Vec<u32>,
-    /// Objects that were tested, in order: at which step, and whether they were hit.
-    pub(in crate::figure) tested: Vec<(PrimitiveId, u32, bool)>,
+    /// Nodes in the order in which they were decided, each with its step.
+    pub(in crate::figure) order: Vec<(u32, u32)>,
+    /// The nodes that were entered or left out when it was their turn, in order.
+    pub(in crate::figure) turns: Vec<Turn>,
 }
 
 impl Visits {
@@ -87,47 +113,91 @@ impl Visits {
             ..Self::default()
         };
         for record in events {
-            let step = Some(record.step);
+            let step = record.step;
             match &record.event {
-                Event::BoundTest(test) if test.verdict == BoundVerdict::Hit => {
+                Event::BoundTest(test) => {
                     if let Bounded::Node(node) = test.of {
-                        let verdict = Verdict::Waiting;
-                        visits.set(node, Visit { verdict, step });
+                        visits.bound(node, step, test);
                     }
                 }
-                Event::Node(visit) => {
-                    let verdict = match visit.verdict {
-                        NodeVerdict::Entered => Verdict::Entered,
-                        NodeVerdict::Rejected => Verdict::Rejected,
-                        NodeVerdict::Pruned => Verdict::Pruned,
-                    };
-                    visits.set(visit.node, Visit { verdict, step });
-                    if (visit.node as usize) < nodes {
-                        visits.order.push(visit.node);
+                Event::Node(visit) if (visit.node as usize) < nodes => visits.decide(visit, step),
+                Event::Nearest(nearest) => {
+                    let tests = visits.turns.last_mut().map(|turn| &mut turn.tested);
+                    let mut tests = tests.into_iter().flatten();
+                    if let Some(test) = tests.find(|test| test.object == nearest.object) {
+                        test.t = Some(nearest.t);
                     }
                 }
                 event => {
                     if let Some((object, is_hit)) = tested(event) {
-                        visits.note_test(object, record.step, is_hit);
+                        visits.note_test(object, step, is_hit);
                     }
                 }
+            }
+            if let Some(turn) = visits.turns.last_mut() {
+                turn.last = step;
             }
         }
         visits
     }
 
-    fn set(&mut self, node: u32, visit: Visit) {
-        if let Some(of) = self.nodes.get_mut(node as usize) {
-            *of = visit;
+    fn bound(&mut self, node: u32, step: u32, test: &BoundTest) {
+        let is_hit = test.verdict == BoundVerdict::Hit;
+        if let Some(turn) = self.turns.last_mut() {
+            let nodes = if is_hit {
+                &mut turn.hit
+            } else {
+                &mut turn.missed
+            };
+            nodes.push(node);
         }
+        if let (true, Some(of)) = (is_hit, self.nodes.get_mut(node as usize)) {
+            *of = Visit {
+                verdict: Verdict::Waiting,
+                step: Some(step),
+                hit: test.inside.map(|[near, _]| (step, near)),
+            };
+        }
+    }
+
+    fn decide(&mut self, visit: &NodeVisit, step: u32) {
+        let of = &mut self.nodes[visit.node as usize];
+        of.step = Some(step);
+        of.verdict = match visit.verdict {
+            NodeVerdict::Entered => Verdict::Entered,
+            NodeVerdict::Rejected => Verdict::Rejected,
+            NodeVerdict::Pruned => Verdict::Pruned,
+        };
+        self.order.push((visit.node, step));
+        if of.verdict != Verdict::Rejected {
+            self.turns.push(Turn {
+                node: visit.node,
+                is_entered: of.verdict == Verdict::Entered,
+                last: step,
+                hit: Vec::new(),
+                missed: Vec::new(),
+                tested: Vec::new(),
+            });
+        }
+    }
+
+    /// All tests of objects, in order.
+    pub(in crate::figure) fn tested(&self) -> impl Iterator<Item = &ObjectTest> {
+        self.turns.iter().flat_map(|turn| &turn.tested)
     }
 
     /// A polygon is tested twice: its plane, and whether the point is inside.
     fn note_test(&mut self, object: PrimitiveId, step: u32, is_hit: bool) {
-        match self.tested.last_mut() {
-            Some(last) if last.0 == object => *last = (object, step, is_hit),
-            _ => self.tested.push((object, step, is_hit)),
-        }
+        let Some(turn) = self.turns.last_mut() else {
+            return;
+        };
+        turn.tested.retain(|test| test.object != object);
+        turn.tested.push(ObjectTest {
+            object,
+            step,
+            is_hit,
+            t: None,
+        });
     }
 
     /// How many nodes have this verdict.
@@ -162,7 +232,6 @@ pub(in crate::figure) fn met(ray: &DrawnRay) -> Option<(PrimitiveId, f64)> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::trace::{BoundTest, NodeVisit};
 
     fn record(step: u32, event: Event) -> Record {
         Record {
@@ -178,6 +247,7 @@ mod tests {
     fn met(node: u32) -> Event {
         Event::BoundTest(BoundTest {
             of: Bounded::Node(node),
+            inside: Some([2.5, 4.0]),
             verdict: BoundVerdict::Hit,
             ..BoundTest::default()
         })
@@ -211,7 +281,13 @@ mod tests {
             Verdict::Unreached,
         ];
         assert_eq!(verdicts, expected);
-        assert_eq!(visits.order, [0, 2]);
+        assert_eq!(visits.order, [(0, 2), (2, 5)]);
         assert_eq!(visits.nodes[2].step, Some(5));
+        assert_eq!(visits.nodes[2].hit, Some((4, 2.5)));
+        let turns = visits.turns.iter();
+        let turns: Vec<_> = turns
+            .map(|turn| (turn.node, turn.is_entered, turn.last, turn.hit.as_slice()))
+            .collect();
+        assert_eq!(turns, [(0, true, 4, &[1, 2][..]), (2, false, 6, &[][..])]);
     }
 }

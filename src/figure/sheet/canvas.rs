@@ -433,6 +433,11 @@ fn number(value: f64) -> String {
     text.trim_end_matches('0').trim_end_matches('.').into()
 }
 
+/// A quantity beside a mark, where room is short: three digits.
+pub(in crate::figure) fn brief(value: f64) -> String {
+    shown(value, 3)
+}
+
 /// A quantity in the words of a drawing: four digits, which is what a figure has room for; three and a power of ten
 /// where the digits alone would be longer.
 pub(in crate::figure) fn quantity(value: f64) -> String {
@@ -494,6 +499,13 @@ mod tests {
             (f64::INFINITY, "0"),
         ] {
             assert_eq!(number(value), expected);
+        }
+    }
+
+    #[test]
+    fn beside_a_mark_a_quantity_has_three_digits() {
+        for (value, expected) in [(7.713_85, "7.71"), (-0.25, "−0.25"), (12.0, "12")] {
+            assert_eq!(brief(value), expected);
         }
     }
 

@@ -8,7 +8,7 @@ use glam::DVec2;
 
 use crate::figure::sheet::frame::Frame;
 use crate::figure::sheet::image::Image;
-use crate::figure::sheet::look::Look;
+use crate::figure::sheet::look::{Fill, Look};
 use crate::figure::sheet::stage::{Stage, StageId, StageName};
 use crate::figure::sheet::text::Text;
 
@@ -200,6 +200,27 @@ impl Sheet {
             step: step.or(self.since.step),
         };
         self.since(since, draw)
+    }
+
+    /// What is drawn inside is made by an event of the trace, and belongs to the first stage that needs it.
+    pub(in crate::figure) fn event<T>(
+        &mut self,
+        step: u32,
+        draw: impl FnOnce(&mut Self) -> T,
+    ) -> T {
+        let since = Since {
+            stage: self.stage_of(step),
+            step: Some(step),
+        };
+        self.since(since, draw)
+    }
+
+    /// The first stage that needs an event; the last one if none says so.
+    pub(in crate::figure) fn stage_of(&self, step: u32) -> Option<StageId> {
+        let needs = |stage: &Stage| stage.step.is_some_and(|last| step <= last);
+        let first = self.stages.iter().position(needs);
+        let stage = first.or(self.stages.len().checked_sub(1));
+        stage.map(|stage| StageId(stage as u32))
     }
 
     /// What is drawn inside is there since then.
@@ -506,45 +527,51 @@ impl Sheet {
         frame: Frame,
         entries: &[(Look, T)],
     ) -> Frame {
+        let entries = entries
+            .iter()
+            .map(|(look, text)| (None, *look, text.clone()));
+        self.staged_legend(frame, &entries.collect::<Vec<_>>())
+    }
+
+    /// The same with the stage from which on a look is seen: before, its name would tell what comes.
+    pub(in crate::figure) fn staged_legend<T: Clone + Into<Text>>(
+        &mut self,
+        frame: Frame,
+        entries: &[(Option<StageId>, Look, T)],
+    ) -> Frame {
         let swatch = 2.0 * self.letters;
         let gap = 0.5 * self.letters;
-        let mut lines: Vec<Vec<(Look, Text, f64)>> = vec![Vec::new()];
-        let mut x = 0.0;
-        for (look, text) in entries {
-            let (look, text) = (*look, text.clone().into());
+        let mut places = Vec::new();
+        let (mut x, mut line) = (0.0, 0.0);
+        for (stage, look, text) in entries {
+            let text: Text = text.clone().into();
             let width = swatch + gap + self.width_of(&text);
             if 0.0 < x && frame.size().x < x + width {
-                lines.push(Vec::new());
-                x = 0.0;
+                (x, line) = (0.0, line + 1.0);
             }
-            if let Some(line) = lines.last_mut() {
-                line.push((look, text, x));
-            }
+            places.push((DVec2::new(x, line), *stage, *look, text));
             x += width + 2.0 * gap;
         }
-        let height = lines.len() as f64 * self.line_height();
-        let top = frame.max.y - height;
-        for (row, line) in lines.iter().enumerate() {
-            let middle = top + (row as f64 + 0.5) * self.line_height();
-            for (look, text, x) in line {
-                let look = *look;
-                let left = frame.min.x + x;
-                let half = if look.fill == crate::figure::sheet::look::Fill::Empty {
-                    0.0
+        let height = self.line_height();
+        let top = frame.max.y - (line + 1.0) * height;
+        for (place, stage, look, text) in places {
+            let left = frame.min + DVec2::new(place.x, 0.0);
+            let middle = DVec2::new(left.x, top + (place.y + 0.5) * height);
+            let entry = |sheet: &mut Self| {
+                let end = middle + DVec2::new(swatch, 0.0);
+                if look.fill == Fill::Empty {
+                    sheet.line(look, middle, end);
                 } else {
-                    0.35 * self.letters
-                };
-                let (min, max) = (
-                    DVec2::new(left, middle - half),
-                    DVec2::new(left + swatch, middle + half),
-                );
-                if half == 0.0 {
-                    self.line(look, min, max);
-                } else {
-                    self.rectangle(look, Frame { min, max });
+                    let half = DVec2::new(0.0, 0.35 * sheet.letters);
+                    let (min, max) = (middle - half, end + half);
+                    sheet.rectangle(look, Frame { min, max });
                 }
-                let place = DVec2::new(left + swatch + gap, middle);
-                self.text(Anchor::Start, place, text);
+                let place = end + DVec2::new(gap, 0.0);
+                sheet.text(Anchor::Start, place, text.clone());
+            };
+            match stage {
+                Some(stage) => self.at(stage, entry),
+                None => entry(self),
             }
         }
         Frame {
@@ -557,6 +584,29 @@ impl Sheet {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn an_event_belongs_to_the_first_stage_that_needs_it() {
+        let mut sheet = Sheet::new(Width::Book, 400.0);
+        sheet.event(3, |sheet| sheet.dot(Look::RAY, DVec2::ZERO));
+        sheet.stage("scene", None, "");
+        sheet.stage("ray", 2, "");
+        sheet.stage("hit", 6, "");
+        for step in [2, 3, 6, 7] {
+            sheet.event(step, |sheet| sheet.dot(Look::RAY, DVec2::ZERO));
+        }
+        let found = sheet.marks.iter().map(|mark| mark.since);
+        let found: Vec<_> = found.map(|of| (of.stage, of.step)).collect();
+        let expected = [
+            (None, 3),
+            (Some(1), 2),
+            (Some(2), 3),
+            (Some(2), 6),
+            (Some(2), 7),
+        ];
+        let expected = expected.map(|(stage, step)| (stage.map(StageId), Some(step)));
+        assert_eq!(found, expected);
+    }
 
     #[test]
     fn what_lies_outside_of_the_cut_is_left_out() {

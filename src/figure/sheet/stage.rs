@@ -4,6 +4,7 @@
 //! what belongs to each. A drawing up to a stage shows that stage and those before it.
 
 use std::borrow::Cow;
+use std::ops::Range;
 
 use crate::explain::Part;
 
@@ -41,4 +42,26 @@ pub(in crate::figure) struct Stage {
     pub(in crate::figure) step: Option<u32>,
     /// What it says.
     pub(in crate::figure) sentence: String,
+}
+
+/// So many things in stages, at most `most` of them: one by one, or in parts of equal size that follow each other.
+pub(in crate::figure) fn parts(count: usize, most: usize) -> Vec<Range<usize>> {
+    let stages = count.min(most.max(1));
+    let start = |stage: usize| stage * count / stages;
+    (0..stages)
+        .map(|stage| start(stage)..start(stage + 1))
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn many_things_are_cut_into_parts_of_equal_size() {
+        assert_eq!(parts(2, 3), [0..1, 1..2]);
+        assert_eq!(parts(6, 3), [0..2, 2..4, 4..6]);
+        assert_eq!(parts(5, 3), [0..1, 1..3, 3..5]);
+        assert!(parts(0, 3).is_empty());
+    }
 }

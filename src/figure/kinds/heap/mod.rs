@@ -1,0 +1,276 @@
+//! The heap of waiting nodes over time: what is popped, what is pushed, and where the search ends.
+//!
+//! One row for each node that is popped: beside it the objects that are tested, the nearest hit, and the heap as it is
+//! then, the nearest node first.
+
+mod table;
+
+use crate::explain::Part;
+use crate::figure::error::FigureError;
+use crate::figure::kind::Kind;
+use crate::figure::kinds::heap::table::Table;
+use crate::figure::parts::bound;
+use crate::figure::parts::scenery;
+use crate::figure::parts::tree::Tree;
+use crate::figure::parts::visits::tested;
+use crate::figure::sheet::Sheet;
+use crate::figure::sheet::canvas::brief;
+use crate::figure::sheet::frame::Frame;
+use crate::figure::sheet::stage::{StageId, parts};
+use crate::figure::spec::Layer;
+use crate::figure::subject::Figure;
+use crate::scene::PrimitiveId;
+use crate::trace::{Event, QueueAction, QueueStep, Record};
+
+pub(super) const KIND: Kind = Kind {
+    draw,
+    height: 360.0,
+    usual: &[Layer::Legend],
+    more: &[],
+};
+
+/// A node in the heap.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Entry {
+    node: u32,
+    /// The estimated distance.
+    key: f64,
+    /// When it went in.
+    step: u32,
+}
+
+/// What happened from one node that was taken out to the next.
+#[derive(Clone, Debug, Default, PartialEq)]
+struct Turn {
+    /// Taken out, or looked at last; none before the root went in.
+    taken: Option<QueueStep>,
+    /// When.
+    step: u32,
+    /// The last step before the next one.
+    last: u32,
+    /// What waits afterwards, the nearest first.
+    waiting: Vec<Entry>,
+    /// Objects that were tested, and whether they were hit.
+    tested: Vec<(PrimitiveId, u32, bool)>,
+    /// The nearest hit by then.
+    nearest: Option<(PrimitiveId, f64, u32)>,
+}
+
+impl Turn {
+    fn is_stop(&self) -> bool {
+        self.taken
+            .is_some_and(|taken| taken.action == QueueAction::Stop)
+    }
+
+    /// Did it go in at this turn?
+    fn is_new(&self, entry: &Entry) -> bool {
+        self.step < entry.step || self.taken.is_none()
+    }
+}
+
+/// The turns of a search.
+fn turns(events: &[&Record]) -> Vec<Turn> {
+    let mut turns: Vec<Turn> = Vec::new();
+    for record in events {
+        let step = record.step;
+        match &record.event {
+            Event::Queue(queue) if queue.action == QueueAction::Push => {
+                if turns.is_empty() {
+                    turns.push(Turn::default());
+                }
+                if let Some(turn) = turns.last_mut() {
+                    let (node, key) = (queue.node, queue.key);
+                    turn.waiting.push(Entry { node, key, step });
+                    turn.waiting
+                        .sort_by(|a, b| a.key.total_cmp(&b.key).then(a.node.cmp(&b.node)));
+                }
+            }
+            Event::Queue(queue) => {
+                let mut turn = turns.last().cloned().unwrap_or_default();
+                turn.waiting.retain(|entry| entry.node != queue.node);
+                turn.tested.clear();
+                (turn.taken, turn.step, turn.last) = (Some(*queue), step, step);
+                turns.push(turn);
+            }
+            Event::Nearest(nearest) => {
+                if let Some(turn) = turns.last_mut() {
+                    turn.nearest = Some((nearest.object, nearest.t, step));
+                }
+            }
+            event => {
+                if let (Some((object, is_hit)), Some(turn)) = (tested(event), turns.last_mut()) {
+                    // a polygon is tested twice: its plane, and whether the point is inside
+                    turn.tested.retain(|(of, _, _)| *of != object);
+                    turn.tested.push((object, step, is_hit));
+                }
+            }
+        }
+        if let Some(turn) = turns.last_mut() {
+            turn.last = step;
+        }
+    }
+    turns
+}
+
+/// With the first push a dozen.
+const MOST_STAGES: usize = 11;
+
+fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, FigureError> {
+    let ray = figure.ray()?;
+    let turns = turns(&ray.events);
+    if turns.is_empty() {
+        return Err(FigureError::new(
+            "strategy",
+            "no node was put into a heap on this ray",
+            "add \"strategy\": \"heap\", and name a ray that hits the scene's bound",
+        ));
+    }
+    let tree = Tree::of(&bound::hierarchy(figure.first)?);
+    let sentences = sentences(figure, &turns, &tree);
+    let stages = stages(sheet, &turns, &sentences);
+    let body = if figure.shows(Layer::Legend) {
+        table::legend(sheet, body, &turns, &stages)
+    } else {
+        body
+    };
+    let nearest = ray.node.end.and_then(|end| end.object);
+    Table::new(sheet, body, &turns).draw(figure, sheet, &turns, &stages, nearest);
+    Ok(sentences.join(" "))
+}
+
+/// The stage of each turn.
+fn stages(sheet: &mut Sheet, turns: &[Turn], sentences: &[String]) -> Vec<StageId> {
+    let mut stages = Vec::new();
+    // the first one has no pop yet
+    let (first, pops) = turns.split_at(turns.len().min(1));
+    for (place, turns) in [(0, first), (1, pops)] {
+        for part in parts(turns.len(), MOST_STAGES) {
+            let last = turns[part.clone()].iter().map(|turn| turn.last).max();
+            let told = &sentences[place + part.start..place + part.end];
+            let sentence = match told {
+                [one] => one.clone(),
+                several => format!(
+                    "{} more nodes are popped: {}",
+                    several.len(),
+                    several.join(" ")
+                ),
+            };
+            let stage = sheet.stage(Part::Heap, last, sentence);
+            stages.extend(part.map(|_| stage));
+        }
+    }
+    stages
+}
+
+/// What happens at each turn.
+fn sentences(figure: &Figure, turns: &[Turn], tree: &Tree) -> Vec<String> {
+    let mut sentences = Vec::new();
+    let mut before: Option<u32> = None;
+    for (pop, turn) in turns.iter().enumerate() {
+        let Some(taken) = turn.taken else {
+            let pushed = turn.waiting.iter().map(|entry| {
+                let (node, key) = (entry.node, brief(entry.key));
+                format!("The ray enters the volume of node {node} at t = {key}: the node is pushed with this key.")
+            });
+            sentences.push(pushed.collect::<Vec<_>>().join(" "));
+            continue;
+        };
+        let (node, key) = (taken.node, brief(taken.key));
+        if turn.is_stop() {
+            let t = turn.nearest.map_or(String::new(), |(_, t, _)| brief(t));
+            let left = match turn.waiting.len() {
+                0 => String::new(),
+                1 => "; 1 more node is never popped".into(),
+                count => format!("; {count} more nodes are never popped"),
+            };
+            sentences.push(format!(
+                "The nearest node is {node} with key {key}, behind the nearest hit at t = {t}: the search ends{left}."
+            ));
+            continue;
+        }
+        let of = tree.nodes.get(node as usize);
+        let is_jump = before.is_some() && of.is_some_and(|of| of.parent != before);
+        let is_leaf = of.is_some_and(|of| of.children.is_empty());
+        before = Some(node);
+        let jump = if is_jump {
+            ", in another part of the tree,"
+        } else {
+            ""
+        };
+        let kind = if is_leaf { "leaf" } else { "node" };
+        let tested = turn.tested.iter().map(|(id, _, is_hit)| {
+            let name = scenery::name_of(figure.scene, *id);
+            match (is_hit, turn.nearest) {
+                (true, Some((nearest, t, _))) if nearest == *id => {
+                    format!("{name} is hit at t = {}", brief(t))
+                }
+                (true, _) => format!("{name} is hit"),
+                (false, _) => format!("{name} is missed"),
+            }
+        });
+        let tested: Vec<String> = tested.collect();
+        let pushed = turn.waiting.iter().filter(|entry| turn.is_new(entry));
+        let pushed: Vec<String> = pushed.map(|entry| entry.node.to_string()).collect();
+        let so = match (is_leaf, pushed.as_slice()) {
+            (true, _) => tested.join(", "),
+            (false, []) => "no child is pushed".into(),
+            (false, [one]) => format!("its child {one} is pushed"),
+            (false, all) => format!("its children {} are pushed", all.join(" and ")),
+        };
+        sentences.push(format!(
+            "Pop {pop} takes {kind} {node}{jump} with key {key}: {so}."
+        ));
+    }
+    sentences
+}
+
+/// A node and the t at which the ray enters it.
+fn entry_text(entry: &Entry) -> String {
+    format!("{}: {}", entry.node, brief(entry.key))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn record(step: u32, action: QueueAction, node: u32, key: f64) -> Record {
+        let size = 0;
+        Record {
+            pixel: Some([0, 0]),
+            path: None,
+            step,
+            ray: Some(0),
+            parent: None,
+            event: Event::Queue(QueueStep {
+                action,
+                node,
+                key,
+                size,
+            }),
+        }
+    }
+
+    #[test]
+    fn the_heap_is_followed_from_turn_to_turn() {
+        use QueueAction::{Pop, Push, Stop};
+        let records = [
+            record(3, Push, 0, 1.0),
+            record(4, Pop, 0, 1.0),
+            record(6, Push, 1, 5.0),
+            record(8, Push, 2, 2.0),
+            record(9, Pop, 2, 2.0),
+            record(10, Stop, 1, 5.0),
+        ];
+        let turns = turns(&records.iter().collect::<Vec<_>>());
+        let waiting: Vec<Vec<u32>> = turns
+            .iter()
+            .map(|turn| turn.waiting.iter().map(|entry| entry.node).collect())
+            .collect();
+        assert_eq!(waiting, [vec![0], vec![2, 1], vec![1], vec![]]);
+        assert!(turns[1].waiting.iter().all(|entry| turns[1].is_new(entry)));
+        assert!(!turns[2].is_new(&turns[2].waiting[0]));
+        assert!(turns[3].is_stop());
+        let last: Vec<u32> = turns.iter().map(|turn| turn.last).collect();
+        assert_eq!(last, [3, 8, 9, 10]);
+    }
+}

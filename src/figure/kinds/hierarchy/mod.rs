@@ -1,0 +1,137 @@
+//! The tree of a hierarchy and its nested volumes, for one ray (slides, "Traverse the Hierarchies").
+//!
+//! Both show the same nodes under the same numbers: which were entered, rejected, pruned because a nearer hit was
+//! known, and which the ray never visited.
+
+mod argument;
+mod nodes;
+mod volumes;
+
+use crate::figure::error::FigureError;
+use crate::figure::kind::Kind;
+use crate::figure::kinds::hierarchy::argument::Argument;
+use crate::figure::parts::bound;
+use crate::figure::parts::scenery;
+use crate::figure::parts::tree::Tree;
+use crate::figure::parts::visits::{Verdict, Visits, met};
+use crate::figure::sheet::canvas::brief;
+use crate::figure::sheet::frame::Frame;
+use crate::figure::sheet::{Sheet, Width};
+use crate::figure::spec::Layer;
+use crate::figure::subject::{DrawnRay, Figure};
+use crate::geometry::MOST_SLABS;
+use crate::structure::Hierarchy;
+
+pub(super) const KIND: Kind = Kind {
+    draw,
+    height: 420.0,
+    usual: &[
+        Layer::Objects,
+        Layer::Names,
+        Layer::Volumes,
+        Layer::Numbers,
+        Layer::Ray,
+        Layer::Tree,
+        Layer::Legend,
+    ],
+    more: &[],
+};
+
+/// Some 32 leaves stand side by side on a slide, with their numbers; a binary tree has as many nodes above them.
+const MOST_NODES: usize = 63;
+
+/// What is drawn.
+struct Walk<'a> {
+    ray: DrawnRay<'a>,
+    hierarchy: Hierarchy<MOST_SLABS>,
+    tree: Tree,
+    visits: Visits,
+}
+
+fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, FigureError> {
+    let ray = figure.ray()?;
+    let hierarchy = bound::hierarchy(figure.first)?;
+    let visits = Visits::of(&ray.events, hierarchy.nodes().len());
+    if visits.order.is_empty() {
+        return Err(FigureError::new(
+            "ray",
+            "the ray visits no node",
+            "name a ray that is tested against objects, in a scene with objects",
+        ));
+    }
+    let nodes = hierarchy.nodes().len();
+    if MOST_NODES < nodes {
+        return Err(FigureError::new(
+            "scene",
+            format!("the tree has {nodes} nodes, more than a page has room for"),
+            format!("draw a scene with fewer objects: a figure has room for {MOST_NODES} nodes"),
+        ));
+    }
+    let walk = Walk {
+        tree: Tree::of(&hierarchy),
+        ray,
+        hierarchy,
+        visits,
+    };
+    let argument = Argument::new(figure, sheet, &walk)?;
+    let body = if figure.shows(Layer::Legend) {
+        argument.legend(sheet, body, &walk)
+    } else {
+        body
+    };
+    let volumes = figure.shows(Layer::Volumes) || figure.shows(Layer::Objects);
+    match (volumes, figure.shows(Layer::Tree)) {
+        (true, true) => {
+            // the numbers of a slide's tree are large, its boxes are not
+            let share = match sheet.width {
+                Width::Book => 0.5,
+                Width::Slide => 0.4,
+            };
+            let [left, right] = body.split(share, 1.5 * sheet.letters);
+            walk.volumes(figure, sheet, left, &argument);
+            walk.tree(figure, sheet, right, &argument);
+        }
+        (true, false) => walk.volumes(figure, sheet, body, &argument),
+        (false, _) => walk.tree(figure, sheet, body, &argument),
+    }
+    Ok(walk.in_words(figure))
+}
+
+impl Walk<'_> {
+    fn in_words(&self, figure: &Figure) -> String {
+        let name = |id| scenery::name_of(figure.scene, id);
+        let mut sentences = Vec::new();
+        for &(number, _) in &self.visits.order {
+            let node = &self.tree.nodes[number as usize];
+            let visit = self.visits.nodes[number as usize];
+            let near = visit.hit.map_or(String::new(), |(_, near)| brief(near));
+            let what = match visit.verdict {
+                Verdict::Entered => "is entered".into(),
+                Verdict::Rejected => "is rejected".into(),
+                Verdict::Pruned => {
+                    format!("is pruned, since it begins at t = {near}, behind the nearest hit")
+                }
+                Verdict::Waiting | Verdict::Unreached => continue,
+            };
+            let of: Vec<String> = node.objects.iter().map(|id| name(*id)).collect();
+            let of = if of.is_empty() {
+                String::new()
+            } else {
+                format!(" with {}", of.join(", "))
+            };
+            sentences.push(format!("Node {number}{of} {what}."));
+        }
+        let unreached = self.visits.count(Verdict::Unreached);
+        if 0 < unreached {
+            sentences.push(format!(
+                "{unreached} of {} nodes are never visited.",
+                self.visits.nodes.len()
+            ));
+        }
+        sentences.push(match met(&self.ray) {
+            Some((object, t)) => format!("The ray hits {} at t = {}.", name(object), brief(t)),
+            None => "The ray hits no object.".into(),
+        });
+        sentences.join(" ")
+    }
+}
