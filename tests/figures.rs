@@ -245,14 +245,14 @@ fn the_printed_figures_have_their_labels() {
         (
             "10-bounds/slabs",
             &[
-                "n₀ D_min",
-                "n₀ D_max",
-                "n₁ D_min",
-                "n₁ D_max",
-                "n₂ D_min",
-                "n₂ D_max",
-                "n₃ D_min",
-                "n₃ D_max",
+                "D_min of n₀",
+                "D_max of n₀",
+                "D_min of n₁",
+                "D_max of n₁",
+                "D_min of n₂",
+                "D_max of n₂",
+                "D_min of n₃",
+                "D_max of n₃",
             ],
         ),
         (

@@ -6,13 +6,15 @@
 use glam::{DVec2, DVec3};
 
 use crate::figure::error::FigureError;
+use crate::figure::parts::axes;
 use crate::figure::parts::outline::{Outline, Rim, hull};
 use crate::figure::sheet::Sheet;
 use crate::figure::sheet::frame::Frame;
 use crate::figure::sheet::look::Look;
+use crate::figure::sheet::text::{Text, formula};
 use crate::figure::traced::Traced;
 use crate::figure::view::{Projection, Space};
-use crate::geometry::{AxisBox, MOST_SLABS};
+use crate::geometry::{Axis, AxisBox, MOST_SLABS};
 use crate::structure::{Hierarchy, SlabBound, SlabChoice, SlabSet, Volume, VolumeKind};
 use crate::trace::{Bounded, RaySlab, SlabTest, StrategyName};
 
@@ -49,6 +51,19 @@ impl Slab {
             None => ' ',
         };
         format!("n{}", digits.chars().map(subscript).collect::<String>())
+    }
+
+    /// The same as the slides set it, with its axis where the normal points out of the drawing.
+    pub(in crate::figure) fn title(&self, projection: &Projection) -> Text {
+        let name = formula(&self.name());
+        if self.is_on_edge(projection) {
+            return name;
+        }
+        let mut axes = [Axis::X, Axis::Y, Axis::Z].into_iter();
+        match axes.find(|axis| axis.of(self.normal).abs() == 1.0) {
+            Some(axis) => name + " (" + formula(axes::letter(axis)) + ")",
+            None => name,
+        }
     }
 
     /// Are its planes seen from their edge?
@@ -187,7 +202,7 @@ pub(in crate::figure) fn pair(
         } else {
             (upper, lower)
         };
-        sheet.label(space.frame, at, at - other, slab.name());
+        sheet.label(space.frame, at, at - other, formula(&slab.name()));
     }
 }
 

@@ -2,20 +2,19 @@
 
 use glam::DVec2;
 
-use crate::figure::parts::bound::Slab;
 use crate::figure::sheet::canvas::quantity;
 use crate::figure::sheet::frame::Frame;
-use crate::figure::sheet::look::{Fill, Look};
+use crate::figure::sheet::look::Look;
+use crate::figure::sheet::text::{Text, formula};
 use crate::figure::sheet::{Anchor, Sheet};
 use crate::figure::view::Space;
 use crate::geometry::{Ray, SlabInterval};
 use crate::structure::{SlabStep, SlabVerdict};
 
 /// What all slabs so far have in common.
-pub(in crate::figure) const COMMON: Look = Look {
-    fill: Fill::Empty,
-    ..Look::ANSWER.wide(4.0)
-};
+pub(in crate::figure) const SO_FAR: Look = Look::MET.outline().wide(3.5);
+/// What is left of the ray inside all slabs.
+pub(in crate::figure) const LEFT: Look = Look::ANSWER.outline().wide(4.0);
 /// What one slab says.
 pub(in crate::figure) const OF_SLAB: Look = Look::VISITED.wide(1.25);
 /// From the smallest far to the largest near, where they have crossed.
@@ -46,76 +45,109 @@ impl Axis<'_> {
         self.frame.min.y + (row as f64 + 0.5) * self.row
     }
 
-    /// The name of a slab before its row.
-    pub(in crate::figure) fn name(&self, sheet: &mut Sheet, row: usize, slab: &Slab) {
-        let at = DVec2::new(self.frame.min.x, self.middle(row));
-        sheet.text(Anchor::Start, at, slab.name());
+    /// The middle of the bar in a row, and of the line below it.
+    fn bar_and_line(&self, sheet: &Sheet, row: usize) -> [f64; 2] {
+        let middle = self.middle(row);
+        [-0.1, 0.4].map(|down| middle + down * sheet.line_height())
     }
 
     /// The row of a slab that was tested: its own interval, and below what all have in common so far.
-    pub(in crate::figure) fn slab(&self, sheet: &mut Sheet, row: usize, step: &SlabStep) {
-        let middle = self.middle(row) - 0.1 * sheet.line_height();
+    pub(in crate::figure) fn slab(
+        &self,
+        sheet: &mut Sheet,
+        row: usize,
+        (name, title): (Text, Text),
+        step: &SlabStep,
+    ) {
         match step.interval {
             SlabInterval::Between { near, far } => {
-                let [(from, starts), (to, ends)] = [near, far].map(|t| self.place(t));
-                let half = 0.4 * sheet.letters;
-                let min = DVec2::new(from, middle - half);
-                let max = DVec2::new(to, middle + half);
-                sheet.rectangle(OF_SLAB.inside(), Frame { min, max });
-                for (is_end, x) in [(starts, from), (ends, to)] {
-                    if is_end {
-                        let at = |y: f64| DVec2::new(x, y);
-                        sheet.line(OF_SLAB.outline().wide(2.0), at(min.y), at(max.y));
-                    }
-                }
-                let gap = 0.4 * sheet.letters;
-                let (mut start, mut end) = (quantity(near), quantity(far));
-                if row == 0 {
-                    (start, end) = (format!("near {start}"), format!("{end} far"));
-                }
-                // inside the bar's end what has no room before or behind it: there the axis ends, or the crossing is
                 let is_null = step.verdict == SlabVerdict::Null;
-                let before = from - gap - sheet.width_of(&start);
-                if starts && !is_null && self.frame.min.x <= before {
-                    sheet.text(Anchor::End, DVec2::new(from - gap, middle), start);
-                } else {
-                    let text = if starts {
-                        start
-                    } else {
-                        format!("← {start}")
-                    };
-                    sheet.text(Anchor::Start, DVec2::new(from + gap, middle), text);
-                }
-                let behind = to + gap + sheet.width_of(&end);
-                if ends && !is_null && behind <= self.frame.max.x {
-                    sheet.text(Anchor::Start, DVec2::new(to + gap, middle), end);
-                } else {
-                    let text = if ends { end } else { format!("{end} →") };
-                    sheet.text(Anchor::End, DVec2::new(to - gap, middle), text);
-                }
+                self.bar(sheet, row, name, [near, far], is_null);
             }
-            SlabInterval::ParallelInside => self.parallel(sheet, step, middle, "parallel, inside"),
+            SlabInterval::ParallelInside => {
+                self.parallel(sheet, row, step, title + ": parallel, inside");
+            }
             SlabInterval::ParallelOutside => {
-                self.parallel(sheet, step, middle, "parallel, outside: null");
+                self.parallel(sheet, row, step, title + ": parallel, outside");
             }
         }
-        self.common(sheet, row, step);
+        if step.inside().is_some() {
+            let [_, y] = self.bar_and_line(sheet, row);
+            let [(near, _), (far, _)] = [step.max_near, step.min_far].map(|t| self.place(t));
+            sheet.line(SO_FAR, DVec2::new(near, y), DVec2::new(far, y));
+        }
+    }
+
+    /// From near to far, with their numbers beside it; inside it what has no room there, because the axis ends, or
+    /// because nothing is left and the room is the crossing's.
+    fn bar(&self, sheet: &mut Sheet, row: usize, name: Text, [near, far]: [f64; 2], is_null: bool) {
+        let [middle, _] = self.bar_and_line(sheet, row);
+        let [(from, starts), (to, ends)] = [near, far].map(|t| self.place(t));
+        let half = 0.4 * sheet.letters;
+        let min = DVec2::new(from, middle - half);
+        let max = DVec2::new(to, middle + half);
+        sheet.rectangle(OF_SLAB.inside(), Frame { min, max });
+        for (is_end, x) in [(starts, from), (ends, to)] {
+            if is_end {
+                let at = |y: f64| DVec2::new(x, y);
+                sheet.line(OF_SLAB.outline().wide(2.0), at(min.y), at(max.y));
+            }
+        }
+        let gap = 0.4 * sheet.letters;
+        let (start, end) = match row {
+            0 => (
+                format!("near {}", quantity(near)),
+                format!("{} far", quantity(far)),
+            ),
+            _ => (quantity(near), quantity(far)),
+        };
+        let named = name.clone() + ": " + &start;
+        let inside = DVec2::new(from + gap, middle);
+        // how much of the bar its own words take
+        let mut taken = 0.0;
+        if starts && !is_null && self.frame.min.x <= from - gap - sheet.width_of(&named) {
+            sheet.text(Anchor::End, DVec2::new(from - gap, middle), named);
+        } else if starts {
+            taken = sheet.width_of(&named) + 2.0 * gap;
+            sheet.text(Anchor::Start, inside, named);
+        } else {
+            let start = format!("← {start}");
+            taken = sheet.width_of(&start) + 2.0 * gap;
+            sheet.text(Anchor::Start, inside, start);
+            sheet.text(Anchor::End, DVec2::new(from - gap, middle), name);
+        }
+        let has_room = to + gap + sheet.width_of(&end) <= self.frame.max.x;
+        let is_short = to - from < taken + gap + sheet.width_of(&end);
+        if ends && has_room && (!is_null || is_short) {
+            sheet.text(Anchor::Start, DVec2::new(to + gap, middle), end);
+        } else {
+            let text = if ends { end } else { format!("{end} →") };
+            sheet.text(Anchor::End, DVec2::new(to - gap, middle), text);
+        }
     }
 
     /// That a slab has no ends on the ray.
-    fn parallel(&self, sheet: &mut Sheet, step: &SlabStep, middle: f64, text: &str) {
+    fn parallel(&self, sheet: &mut Sheet, row: usize, step: &SlabStep, text: Text) {
+        let [middle, _] = self.bar_and_line(sheet, row);
         let (near, _) = self.place(step.max_near);
         let place = DVec2::new(near - 0.4 * sheet.letters, middle);
-        let (left, _) = self.ends();
-        if left + sheet.width_of(text) < place.x {
+        if self.frame.min.x + sheet.width_of(&text) < place.x {
             sheet.text(Anchor::End, place, text);
         } else {
-            sheet.text(Anchor::Start, DVec2::new(left, middle), text);
+            sheet.text(Anchor::Start, DVec2::new(self.frame.min.x, middle), text);
         }
     }
 
-    /// What is left of the ray behind the last slab that was looked at.
-    pub(in crate::figure) fn result(&self, sheet: &mut Sheet, row: usize, step: &SlabStep) {
+    /// What is left of the ray behind the last slab that was looked at. `rows` are the slabs that were, each with its row.
+    pub(in crate::figure) fn result(
+        &self,
+        sheet: &mut Sheet,
+        row: usize,
+        rows: &[(usize, SlabStep)],
+    ) {
+        let Some((last, step)) = rows.last() else {
+            return;
+        };
         let y = self.middle(row);
         if !step.max_near.is_finite() || !step.min_far.is_finite() {
             // the ray is parallel to every slab that was looked at: there is no t to show
@@ -128,55 +160,49 @@ impl Axis<'_> {
             return;
         }
         let [(near, _), (far, _)] = [step.max_near, step.min_far].map(|t| self.place(t));
-        let gap = 0.4 * sheet.letters;
+        // from the slab on that says it
+        let near_row = rows.iter().find(|(_, of)| of.max_near == step.max_near);
+        let far_row = rows.iter().find(|(_, of)| of.min_far == step.min_far);
+        for (x, from) in [(near, near_row), (far, far_row)] {
+            let [bar, _] = self.bar_and_line(sheet, from.map_or(*last, |(row, _)| *row));
+            let top = DVec2::new(x, bar + 0.4 * sheet.letters);
+            sheet.line(Look::HELP.wide(0.75), top, DVec2::new(x, y));
+        }
         let max_near = format!("max near {}", quantity(step.max_near));
         let min_far = format!("min far {}", quantity(step.min_far));
-        let is_null = matches!(
-            step.verdict,
-            SlabVerdict::Null | SlabVerdict::ParallelOutside
-        );
-        let (left, right, texts) = if far < near {
+        let is_null = step.inside().is_none();
+        let (left, right, [before, behind]) = if far < near {
             (far, near, [min_far, format!("{max_near}: null")])
         } else if is_null {
             (near, far, [max_near, format!("{min_far}: null")])
         } else {
             (near, far, [max_near, min_far])
         };
-        let top = self.frame.min.y;
-        for x in [left, right] {
-            sheet.line(Look::HELP.wide(0.75), DVec2::new(x, top), DVec2::new(x, y));
-        }
         if is_null {
-            sheet.line(CROSSED, DVec2::new(left, y), DVec2::new(right, y));
-            sheet.cross(CROSSED, DVec2::new(0.5 * (left + right), y));
+            let mut rows = vec![y];
+            if step.verdict == SlabVerdict::Null {
+                let [_, of_last] = self.bar_and_line(sheet, *last);
+                rows.push(of_last);
+            }
+            for y in rows {
+                sheet.line(CROSSED, DVec2::new(left, y), DVec2::new(right, y));
+                sheet.cross(CROSSED, DVec2::new(0.5 * (left + right), y));
+            }
         } else {
-            sheet.line(COMMON, DVec2::new(left, y), DVec2::new(right, y));
+            sheet.line(LEFT, DVec2::new(left, y), DVec2::new(right, y));
         }
-        let [before, behind] = texts;
+        let gap = 0.4 * sheet.letters;
         sheet.text(Anchor::End, DVec2::new(left - gap, y), before);
         sheet.text(Anchor::Start, DVec2::new(right + gap, y), behind);
     }
 
-    /// From the largest near to the smallest far, or that they have crossed.
-    fn common(&self, sheet: &mut Sheet, row: usize, step: &SlabStep) {
-        let y = self.middle(row) + 0.4 * sheet.line_height();
-        let [(near, _), (far, _)] = [step.max_near, step.min_far].map(|t| self.place(t));
-        match step.verdict {
-            SlabVerdict::GoesOn | SlabVerdict::ParallelInside => {
-                sheet.line(COMMON, DVec2::new(near, y), DVec2::new(far, y));
-            }
-            SlabVerdict::Null => {
-                sheet.line(CROSSED, DVec2::new(far, y), DVec2::new(near, y));
-                sheet.cross(CROSSED, DVec2::new(0.5 * (near + far), y));
-            }
-            SlabVerdict::ParallelOutside => {}
-        }
-    }
-
     /// The row of a slab behind the one that ended the test.
-    pub(in crate::figure) fn untouched(&self, sheet: &mut Sheet, row: usize) {
-        let (left, right) = self.ends();
+    pub(in crate::figure) fn untouched(&self, sheet: &mut Sheet, row: usize, title: Text) {
+        let (_, right) = self.ends();
         let middle = self.middle(row);
+        let text = title + ": not tested";
+        let left = self.frame.min.x + sheet.width_of(&text) + 0.6 * sheet.letters;
+        sheet.text(Anchor::Start, DVec2::new(self.frame.min.x, middle), text);
         sheet.line(
             Look::CULLED,
             DVec2::new(left, middle),
@@ -187,12 +213,11 @@ impl Axis<'_> {
     /// The axis itself, below the rows.
     pub(in crate::figure) fn draw(&self, sheet: &mut Sheet, rows: usize) {
         let y = self.middle(rows) - 0.25 * self.row;
-        let (_, right) = self.ends();
-        let (zero, _) = self.place(0.0);
-        sheet.arrow(Look::THIN, DVec2::new(zero, y), DVec2::new(right, y));
+        let (left, right) = self.ends();
+        sheet.arrow(Look::THIN, DVec2::new(left, y), DVec2::new(right, y));
         let below = y + 0.75 * sheet.line_height();
-        sheet.text(Anchor::End, DVec2::new(right, below), "t");
-        let (one, _) = self.place(1.0);
+        sheet.text(Anchor::End, DVec2::new(right, below), formula("t"));
+        let [(zero, _), (one, _)] = [0.0, 1.0].map(|t| self.place(t));
         let step = ticks(one - zero, 4.0 * sheet.letters);
         let tick = 0.25 * sheet.letters;
         for place in 0..100 {
