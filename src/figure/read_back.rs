@@ -62,9 +62,16 @@ impl ReadBack {
 
     /// The middles of the dots and circles whose area or line has a colour, such as `answer`.
     pub(in crate::figure) fn dots(&self, colour: &str) -> Vec<DVec2> {
+        let circles = self.circles(colour);
+        circles.into_iter().map(|(middle, _)| middle).collect()
+    }
+
+    /// The dots and circles that have a colour, with their radii.
+    pub(in crate::figure) fn circles(&self, colour: &str) -> Vec<(DVec2, f64)> {
         self.read(|node| {
-            let is_dot = node.has_tag_name("circle") && has_colour(node, colour);
-            is_dot.then(|| DVec2::new(number(node, "cx"), number(node, "cy")))
+            let is_circle = node.has_tag_name("circle") && has_colour(node, colour);
+            let middle = || DVec2::new(number(node, "cx"), number(node, "cy"));
+            is_circle.then(|| (middle(), number(node, "r")))
         })
     }
 
