@@ -257,7 +257,7 @@ fn the_printed_figures_have_their_labels() {
         ),
         (
             "10-bounds/merge",
-            &["A", "B", "minimum D_min", "maximum D_max"],
+            &["A", "B", "D_min: minimum", "D_max: maximum"],
         ),
         // Fig. 15.61: cells along x, y and z
         (

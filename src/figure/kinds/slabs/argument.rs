@@ -19,36 +19,46 @@ pub(super) struct Argument {
 
 /// A slab, and since when it is there.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Shown {
-    pub(super) slab: Slab,
+pub(in crate::figure::kinds) struct Shown {
+    pub(in crate::figure::kinds) slab: Slab,
     stage: StageId,
     step: u32,
-    /// Its place among those that are drawn, for its pattern.
-    place: usize,
+    /// The pattern of its pair of planes.
+    dash: Dash,
 }
 
 impl Shown {
+    pub(in crate::figure::kinds) fn new(slab: Slab, stage: StageId, step: u32, dash: Dash) -> Self {
+        Self {
+            slab,
+            stage,
+            step,
+            dash,
+        }
+    }
+
     /// Draws what belongs to the slab.
-    pub(super) fn draw(&self, sheet: &mut Sheet, draw: impl FnOnce(&mut Sheet)) {
+    pub(in crate::figure::kinds) fn draw(&self, sheet: &mut Sheet, draw: impl FnOnce(&mut Sheet)) {
         sheet.at(self.stage, |sheet| sheet.step(self.step, draw));
     }
 
-    /// The planes of a pair have one pattern.
     pub(super) fn look(&self) -> Look {
-        const PATTERNS: [Dash; 6] = [
-            Dash::Solid,
-            Dash::Dashed,
-            Dash::Alternating,
-            Dash::Dotted,
-            Dash::TwoDots,
-            Dash::Long,
-        ];
         Look {
-            dash: PATTERNS[self.place % PATTERNS.len()],
+            dash: self.dash,
             ..Look::VISITED.outline().wide(1.25)
         }
     }
 }
+
+/// The planes of a pair have one pattern.
+const PATTERNS: [Dash; 6] = [
+    Dash::Solid,
+    Dash::Dashed,
+    Dash::Alternating,
+    Dash::Dotted,
+    Dash::TwoDots,
+    Dash::Long,
+];
 
 impl Argument {
     /// So many slabs have a stage each: a figure has a dozen stages at most.
@@ -69,12 +79,8 @@ impl Argument {
                 let sentence = format!("In the same way {more} more directions have a slab each.");
                 stage = sheet.stage("slab", *last, sentence);
             }
-            slabs.push(Shown {
-                slab: *slab,
-                stage,
-                step: *step,
-                place,
-            });
+            let dash = PATTERNS[place % PATTERNS.len()];
+            slabs.push(Shown::new(*slab, stage, *step, dash));
         }
         let last = of_trace.last().map(|(step, _)| *step);
         let decided = found.decided.map(|(step, _)| step);

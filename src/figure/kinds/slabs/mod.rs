@@ -9,8 +9,10 @@ use glam::{DVec2, DVec3};
 
 use crate::figure::error::FigureError;
 use crate::figure::kind::Kind;
-use crate::figure::kinds::slabs::argument::{Argument, Shown};
+use crate::figure::kinds::slabs::argument::Argument;
+pub(super) use crate::figure::kinds::slabs::argument::Shown;
 pub(super) use crate::figure::kinds::slabs::found::{SlabTests, bounded};
+pub(super) use crate::figure::kinds::slabs::planes::planes;
 use crate::figure::kinds::slabs::table::Table;
 use crate::figure::parts::bound::{self, Slab};
 use crate::figure::parts::outline;
@@ -75,7 +77,8 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
     let shown = corners.iter().map(|p| middle + AROUND * (*p - middle));
     let space = figure.space(drawing, shown);
     // labels stand at the ends of the lines
-    let names = match sheet.width {
+    let sheet_width = sheet.width;
+    let names = match sheet_width {
         Width::Book => 5.8,
         Width::Slide => 3.4,
     };
@@ -95,7 +98,15 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
         });
         planes::distance(sheet, &space, first);
     }
-    planes::planes(figure, sheet, (&space, room), &all, &on_edge);
+    if figure.shows(Layer::Slabs) {
+        // on a slide there is no room for both: the normal stands at the pair
+        let name = |slab: &Slab, d: &'static str| match sheet_width {
+            Width::Book => formula(&format!("{d} of {}", slab.name())),
+            Width::Slide => formula(d),
+        };
+        let normals = figure.shows(Layer::Normals);
+        planes(sheet, (&space, room), &all, &on_edge, (name, normals));
+    }
     if figure.shows(Layer::Volumes) {
         sheet.at(argument.bound, |sheet| {
             let around = bound::outline(&all, &space.projection);

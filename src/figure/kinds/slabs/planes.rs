@@ -5,22 +5,20 @@ use glam::{DVec2, DVec3};
 use crate::figure::kinds::slabs::argument::Shown;
 use crate::figure::parts::bound::{self, Slab};
 use crate::figure::parts::named_lines::{NamedLine, nearest_on, with_names};
+use crate::figure::sheet::Sheet;
 use crate::figure::sheet::canvas::quantity;
 use crate::figure::sheet::frame::Frame;
 use crate::figure::sheet::look::Look;
-use crate::figure::sheet::text::formula;
-use crate::figure::sheet::{Sheet, Width};
-use crate::figure::spec::Layer;
-use crate::figure::subject::Figure;
+use crate::figure::sheet::text::{Text, formula};
 use crate::figure::view::Space;
 
 /// The two planes of each slab as lines with the names of their D, and its normal.
-pub(super) fn planes(
-    figure: &Figure,
+pub(in crate::figure::kinds) fn planes(
     sheet: &mut Sheet,
     (space, room): (&Space, Frame),
     all: &[Slab],
     slabs: &[Shown],
+    (name, normals): (impl Fn(&Slab, &'static str) -> Text, bool),
 ) {
     let middle = bound::middle(all);
     let mut of = Vec::new();
@@ -39,19 +37,11 @@ pub(super) fn planes(
     for ((shown, d), line) in of.iter().zip(&lines) {
         let [from, to] = line.ends;
         shown.draw(sheet, |sheet| {
-            if !figure.shows(Layer::Slabs) {
-                return;
-            }
             sheet.line(shown.look(), from, to);
-            // on a slide there is no room for both: the normal stands at the pair
-            let text = match sheet.width {
-                Width::Book => formula(&format!("{d} of {}", shown.slab.name())),
-                Width::Slide => formula(d),
-            };
-            sheet.label(space.frame, to, line.towards, text);
+            sheet.label(space.frame, to, line.towards, name(&shown.slab, d));
         });
     }
-    if !figure.shows(Layer::Normals) {
+    if !normals {
         return;
     }
     for (place, (shown, d)) in of.iter().enumerate() {
