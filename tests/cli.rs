@@ -6,6 +6,7 @@ pub(crate) mod strategies;
 pub(crate) mod figures;
 mod logs;
 mod manners;
+mod own_figure;
 #[cfg(unix)]
 mod pipes;
 mod step;

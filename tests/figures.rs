@@ -285,7 +285,7 @@ fn the_printed_figures_have_their_labels() {
 }
 
 /// The texts of a drawing, each with the letters of its indices among the others.
-fn texts_of(svg: &str) -> Vec<String> {
+pub(crate) fn texts_of(svg: &str) -> Vec<String> {
     let document = Document::parse(svg).unwrap();
     let texts = document
         .descendants()

@@ -15,7 +15,9 @@ use raystep::tracer::HeatOf;
 
 use crate::cli::word::one_of;
 pub(crate) use colours::Colours;
-pub(crate) use figures::{Drawing, FigureArgs, FiguresArgs, MdbookArgs, MdbookVerb, WidthName};
+pub(crate) use figures::{
+    Drawing, FigureArgs, FiguresArgs, MdbookArgs, MdbookVerb, Subject, WidthName,
+};
 pub(crate) use step::StepArgs;
 pub(crate) use tracing::{Casting, Reading, Tracing};
 pub(crate) use values::refuse_negative;

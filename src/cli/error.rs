@@ -36,6 +36,13 @@ pub(crate) enum Error {
         /// How many bytes it may have.
         bytes: u64,
     },
+    /// A figure's subject and its options do not go together.
+    Subject {
+        /// What is wrong.
+        what: String,
+        /// What to do about it.
+        fix: &'static str,
+    },
     /// The log could not be read.
     Log(LogError),
     /// A lesson, or a figure of it.
@@ -245,7 +252,9 @@ impl fmt::Display for Error {
                 stale.len(),
                 printable(out)
             ),
-            Self::Raster { what, fix } => write!(f, "{what}\n  {fix}"),
+            Self::Raster { what, fix } | Self::Subject { what, fix } => {
+                write!(f, "{}\n  {fix}", printable(what))
+            }
             Self::Option { option, fault } => write!(f, "{option}: {fault}\n  {}", fault.fix()),
             Self::Unused {
                 option,

@@ -4,17 +4,19 @@ use std::fs::File;
 use std::io::BufReader;
 use std::path::{Path, PathBuf};
 
-use raystep::figure::{Drawn, DrawnStage, UpTo};
-use raystep::lesson::{Lesson, LessonError};
+use raystep::figure::{Drawn, DrawnStage, FigureKind, UpTo, draw};
+use raystep::lesson::{Lesson, LessonError, own_figure, wrong_figure};
 use raystep::scene::{Loaded, printable};
 use raystep::trace::LogError;
 use raystep::{FigureName, FigureSpec, Folder, Library, Rendition, Traced, Width};
 
 use crate::cli::Error;
-use crate::cli::args::{Drawing, FigureArgs, WidthName};
+use crate::cli::args::{Drawing, FigureArgs, Reading, Subject, WidthName};
+use crate::cli::input::{Input, name_of, needs_scene, open};
 use crate::cli::output::{Output, is_standard, refuse_ending};
 use crate::cli::raster;
 use crate::cli::same_file::Taken;
+use crate::cli::word::word;
 
 impl Drawing {
     /// The lessons.
@@ -55,8 +57,24 @@ enum Source<'a> {
 
 /// Draws the figure.
 pub(crate) fn run(args: &FigureArgs) -> Result<(), Error> {
+    match (&args.subject, &args.scene, args.kind) {
+        (Subject::Pixel(pixel), Some(scene), Some(kind)) => of_scene(args, scene, kind, *pixel),
+        (Subject::Figure(name), None, _) => of_lesson(args, name),
+        (Subject::Figure(name), Some(_), _) => Err(Error::Subject {
+            what: format!("{name} is a figure of a lesson, and --scene draws a pixel of a scene"),
+            fix: "name the pixel, as in --scene my.json 80,60 --kind grid",
+        }),
+        (Subject::Pixel([x, y]), _, _) => Err(Error::Subject {
+            what: format!("{x},{y} is a pixel, but of which scene is not said"),
+            fix: "add --scene FILE and --kind, or name a figure of a lesson, as in 12-grid/walk",
+        }),
+    }
+}
+
+/// A figure of a lesson, from its scene or from a log.
+fn of_lesson(args: &FigureArgs, name: &FigureName) -> Result<(), Error> {
     let library = args.drawing.library()?;
-    let (lesson, spec) = library.find(&args.name)?;
+    let (lesson, spec) = library.find(name)?;
     let mut taken = Taken::nothing();
     for lesson in &library.lessons {
         taken.read(lesson.path());
@@ -67,7 +85,7 @@ pub(crate) fn run(args: &FigureArgs) -> Result<(), Error> {
             Source::Log(log)
         }
         None => {
-            let loaded = lesson.load(&args.name.figure, spec)?;
+            let loaded = lesson.load(&name.figure, spec)?;
             for file in &loaded.files {
                 taken.read(file);
             }
@@ -81,16 +99,63 @@ pub(crate) fn run(args: &FigureArgs) -> Result<(), Error> {
     if !args.steps && !args.stages {
         taken.refuse(&args.output)?;
     }
-    let write = writer(args)?;
+    // a format that is not there is refused before anything is traced
+    writer(args)?;
     let traced = match source {
         Source::Log(log) => read_log(log)?,
-        Source::Scene(loaded) => lesson.trace_loaded(&args.name.figure, spec, *loaded)?,
+        Source::Scene(loaded) => lesson.trace_loaded(&name.figure, spec, *loaded)?,
     };
+    let draw = |how| Ok(drawn(lesson, spec, name, &traced, how)?);
+    write(args, taken, &traced, draw)
+}
+
+/// A figure of a scene that no lesson knows.
+fn of_scene(
+    args: &FigureArgs,
+    scene: &Path,
+    kind: FigureKind,
+    pixel: [u64; 2],
+) -> Result<(), Error> {
+    let reading = Reading {
+        allow_outside: args.drawing.allow_outside,
+    };
+    let loaded = match open(scene, &reading)? {
+        Input::Scene(loaded) => *loaded,
+        Input::Log(_) => return Err(needs_scene(scene, "such a figure traces")),
+    };
+    let taken = Taken::by_reading(scene, &loaded.files);
+    if !args.steps && !args.stages {
+        taken.refuse(&args.output)?;
+    }
+    writer(args)?;
+    let pixels = loaded.scene.camera.pixels;
+    let outside = Error::PixelOutside { pixel, pixels };
+    let [Ok(x), Ok(y)] = pixel.map(u32::try_from) else {
+        return Err(outside);
+    };
+    if pixels[0] <= x || pixels[1] <= y {
+        return Err(outside);
+    }
+    let file = name_of(scene);
+    let (spec, traced) = own_figure(loaded, kind, [x, y], &file)?;
+    let id = format!("raystep-{}", word(kind));
+    let draw = |(width, rendition)| {
+        let drawn = draw(&spec, &traced, &id, width, rendition);
+        drawn.map_err(|error| Error::from(wrong_figure(&file, error)))
+    };
+    write(args, taken, &traced, draw)
+}
+
+/// Draws a figure as far as the options say, and writes it.
+fn write(
+    args: &FigureArgs,
+    taken: Taken,
+    traced: &[Traced],
+    drawn: impl Fn((Width, Rendition)) -> Result<Drawn, Error>,
+) -> Result<(), Error> {
+    let write = writer(args)?;
     let (width, rendition) = args.drawing.rendition();
-    let draw = |up_to| {
-        let rendition = Rendition { up_to, ..rendition };
-        drawn(lesson, spec, &args.name, &traced, (width, rendition))
-    };
+    let draw = |up_to| drawn((width, Rendition { up_to, ..rendition }));
     let step = args.step.map(UpTo::Step);
     let stage = args.stage.map(UpTo::Stage);
     let whole = draw(step.or(stage))?;
@@ -116,7 +181,7 @@ pub(crate) fn run(args: &FigureArgs) -> Result<(), Error> {
     // nothing is written before all is drawn and every name is known to be free
     if let Some(path) = &args.write_log {
         let mut log = Output::create(path, &Taken::nothing())?;
-        for traced in &traced {
+        for traced in traced {
             traced.write(&mut log).map_err(|error| log.failed(error))?;
         }
         log.finish()?;

@@ -1,6 +1,7 @@
 //! The words of the library's choices on the command line, and what the help says of each.
 
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
+use raystep::figure::FigureKind;
 use raystep::structure::{Build, Lists, SlabChoice, VolumeKind};
 use raystep::tracer::HeatOf;
 use raystep::{StrategyName, Through, Transport};
@@ -107,6 +108,95 @@ impl Word for Through {
             Self::Corners,
             "corners",
             "Four rays through its corners; the pixel is their mean. A picture shares them: (width + 1) × (height + 1) in all",
+        ),
+    ];
+}
+
+impl Word for FigureKind {
+    const WORDS: &'static [(Self, &'static str, &'static str)] = &[
+        (
+            Self::Pinhole,
+            "pinhole",
+            "The pinhole camera with the image of the pixel",
+        ),
+        (
+            Self::Window,
+            "window",
+            "The window, its pixels, and the eye ray through one",
+        ),
+        (Self::Rays, "rays", "All rays of the pixel"),
+        (
+            Self::LineOfT,
+            "line-of-t",
+            "The parameter t along the eye ray",
+        ),
+        (
+            Self::Sphere,
+            "sphere",
+            "A sphere, its quadratic and the roots",
+        ),
+        (
+            Self::Polygon,
+            "polygon",
+            "A polygon, its plane and its projection",
+        ),
+        (
+            Self::Shading,
+            "shading",
+            "N, L, R and V, and the terms of the shade",
+        ),
+        (
+            Self::Alignment,
+            "alignment",
+            "The frame in which the ray is the z axis",
+        ),
+        (
+            Self::Volumes,
+            "volumes",
+            "Bounding volumes around an object, and what they waste",
+        ),
+        (Self::Slabs, "slabs", "An object in its slabs"),
+        (Self::Merge, "merge", "The bound of two bounds"),
+        (
+            Self::Intervals,
+            "intervals",
+            "The ray in each slab, as bars",
+        ),
+        (
+            Self::Hierarchy,
+            "hierarchy",
+            "The bounding volumes and the tree",
+        ),
+        (Self::Heap, "heap", "The nodes that wait, from pop to pop"),
+        (Self::Partition, "partition", "The grid around the scene"),
+        (Self::Grid, "grid", "The ray from cell to cell"),
+        (
+            Self::Steps,
+            "steps",
+            "The t of the next planes, cell by cell",
+        ),
+        (Self::Costs, "costs", "The tests of the pixel, by strategy"),
+        (Self::Heat, "heat", "The tests of each pixel, by strategy"),
+        (
+            Self::Picture,
+            "picture",
+            "The picture with the pixel marked",
+        ),
+        (Self::Paths, "paths", "Paths of light to the pixel"),
+        (
+            Self::Gather,
+            "gather",
+            "The photons around what the pixel shows",
+        ),
+        (
+            Self::Irradiance,
+            "irradiance",
+            "The irradiance on what each pixel shows",
+        ),
+        (
+            Self::Connections,
+            "connections",
+            "A path of light and one from the eye, connected",
         ),
     ];
 }

@@ -2,6 +2,7 @@
 
 use crate::figure::error::FigureError;
 use crate::figure::kinds::kind;
+use crate::figure::near::near;
 use crate::figure::parts::picture;
 use crate::figure::sheet::canvas::{Canvas, Rendition, UpTo};
 use crate::figure::sheet::stage::Stage;
@@ -61,6 +62,7 @@ pub fn draw(
     }
     let figure = Figure {
         spec,
+        near: near(&first.scene, &first.records),
         traced,
         usual: kind.usual,
         scene: &first.scene,

@@ -9,6 +9,7 @@ mod error;
 mod heat_map;
 mod kind;
 mod kinds;
+mod near;
 mod parts;
 #[cfg(test)]
 mod read_back;
@@ -22,6 +23,7 @@ pub use cost_chart::cost_chart;
 pub use draw::{Drawn, DrawnStage, draw};
 pub use error::FigureError;
 pub use heat_map::{Raster, heat_map};
+pub(crate) use near::around_rays;
 pub(crate) use sheet::Width;
 pub(crate) use sheet::canvas::Rendition;
 pub use sheet::canvas::UpTo;

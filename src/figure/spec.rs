@@ -109,6 +109,35 @@ impl FigureSpec {
         let on_window = self.kind == FigureKind::Pinhole && shows_pixels;
         self.kind == FigureKind::Picture || self.show.contains(&Layer::Image) || on_window
     }
+
+    /// A figure of a kind of a scene, with nothing said about it.
+    pub fn new(kind: FigureKind, scene: impl Into<String>) -> Self {
+        Self {
+            kind,
+            scene: scene.into(),
+            title: String::new(),
+            caption: String::new(),
+            pixel: None,
+            pixels: Vec::new(),
+            ray: None,
+            object: None,
+            strategy: StrategyName::default(),
+            strategies: Vec::new(),
+            volumes: Vec::new(),
+            structure: StructureOptions::default(),
+            transport: Transport::default(),
+            light: LightOptions::default(),
+            paths: None,
+            picture: Fineness::default(),
+            through: Through::default(),
+            size: None,
+            view: View::default(),
+            frame: None,
+            show: Vec::new(),
+            drop: None,
+            step: None,
+        }
+    }
 }
 
 /// What a figure draws.

@@ -19,6 +19,8 @@ pub(super) struct Figure<'a> {
     /// The first of them.
     pub(super) first: &'a Traced,
     pub(super) scene: &'a Scene,
+    /// The primitives that are drawn: all of a small scene, of a large one those near the rays.
+    pub(super) near: Vec<PrimitiveId>,
     /// What its kind shows if nothing is said.
     pub(super) usual: &'static [Layer],
 }
@@ -123,6 +125,15 @@ impl<'a> Figure<'a> {
     pub(super) fn space(&self, frame: Frame, points: impl IntoIterator<Item = DVec3>) -> Space {
         let projection = self.projection();
         match self.spec.frame {
+            Some(corners) if projection.in_space => {
+                let [a, b] = corners.map(DVec3::from);
+                let corner = |bits: u8| {
+                    DVec3::from_array(
+                        [0, 1, 2].map(|axis| [a, b][usize::from(bits >> axis & 1)][axis]),
+                    )
+                };
+                Space::fitted(projection, frame, (0..8).map(corner))
+            }
             Some(corners) => Space::fitted(projection, frame, corners.map(DVec3::from)),
             None => Space::fitted(projection, frame, points),
         }

@@ -5,6 +5,7 @@ mod compare_transports;
 mod error;
 mod file;
 pub(crate) mod library;
+mod own_figure;
 mod picture;
 mod trace;
 
@@ -19,4 +20,5 @@ pub(crate) use library::FigureName;
 pub use library::Lesson;
 #[cfg(feature = "files")]
 pub(crate) use library::Library;
+pub use own_figure::{own_figure, wrong_figure};
 pub use trace::trace_figure;

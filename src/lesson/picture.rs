@@ -43,7 +43,15 @@ pub(super) fn trace_picture(
         sides(spec.picture, scene.camera.pixels)?
     };
     let mut fine = scene.clone();
-    let pixels = scene.camera.pixels.map(|side| side * finer);
+    let coarser = if by_pixel || spec.picture.finer.is_some() {
+        1
+    } else {
+        coarser(scene.camera.pixels)
+    };
+    let pixels = scene
+        .camera
+        .pixels
+        .map(|side| (side * finer).div_ceil(coarser));
     fine.camera.pixels = pixels.map(|side| side * samples);
     let strategy = Chosen::new(&fine, StrategyName::Hierarchy, &StructureOptions::default());
     let strategy = strategy
@@ -56,6 +64,12 @@ pub(super) fn trace_picture(
         samples: samples * samples,
         rgb: means(&picture.colours, pixels, samples),
     })
+}
+
+/// Of a large picture, how many of the scene's pixels lie along each side of one of the figure's: it stays between 256 and 512
+/// pixels wide.
+fn coarser([width, height]: [u32; 2]) -> u32 {
+    (width.max(height) / LEAST_SIDE).max(1)
 }
 
 /// How many pixels and samples lie along each side of one of the scene's pixels, and of one of the picture's.
@@ -107,6 +121,18 @@ fn means(samples: &[DVec3], [width, height]: [u32; 2], side: u32) -> Vec<u8> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_large_picture_is_drawn_with_fewer_pixels() {
+        for (pixels, expected) in [
+            ([64, 48], 1),
+            ([511, 300], 1),
+            ([512, 512], 2),
+            ([300, 1920], 7),
+        ] {
+            assert_eq!(coarser(pixels), expected, "{pixels:?}");
+        }
+    }
 
     #[test]
     fn a_pixel_is_the_mean_of_its_square_of_samples() {

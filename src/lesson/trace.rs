@@ -83,8 +83,14 @@ pub fn trace_figure(
             figure: Some(name.into()),
             region: None,
         };
-        let chosen = Chosen::new(&scene, strategy, &structure)
-            .map_err(|fault| error("structure", fault.to_string(), "change it in the lesson"))?;
+        let chosen = Chosen::new(&scene, strategy, &structure).map_err(|fault| {
+            // some say themselves what to do, in a line of its own
+            let text = fault.to_string();
+            let (what, fix) = text
+                .split_once("\n  ")
+                .unwrap_or((&text, "change \"structure\""));
+            wrong(FigureError::new("structure", what, fix))
+        })?;
         let followed = settings.light_paths(scene.camera.pixels);
         if MOST_FOLLOWED < followed {
             return Err(error(

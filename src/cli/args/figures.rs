@@ -4,6 +4,10 @@ use std::path::PathBuf;
 
 use clap::{Args as ClapArgs, Subcommand, ValueEnum};
 use raystep::FigureName;
+use raystep::figure::FigureKind;
+
+use crate::cli::args::values::pixel;
+use crate::cli::word::one_of;
 
 /// How a figure is drawn.
 #[derive(Debug, ClapArgs)]
@@ -48,6 +52,7 @@ pub(crate) enum WidthName {
   raystep figure 12-grid/walk -o walk.svg
   raystep figure 12-grid/walk --width slide --standalone -o walk.svg
   raystep figure 12-grid/walk --stages
+  raystep figure --scene my.json 80,60 --kind grid -o grid.svg
   raystep figure 12-grid/walk --steps -o walk.svg
   raystep figure 12-grid/walk --write-log walk.jsonl -o walk.svg
   raystep figure 12-grid/walk --log walk.jsonl -o walk.svg")]
@@ -56,9 +61,15 @@ pub(crate) enum WidthName {
     reason = "the flags of a command line do not depend on each other"
 )]
 pub(crate) struct FigureArgs {
-    /// Lesson and figure, such as 12-grid/walk
-    #[arg(value_name = "LESSON/NAME")]
-    pub(crate) name: FigureName,
+    /// Lesson and figure, such as 12-grid/walk; with --scene the pixel, such as 80,60
+    #[arg(value_name = "LESSON/NAME", value_parser = subject)]
+    pub(crate) subject: Subject,
+    /// Draw a figure of this scene, which no lesson knows
+    #[arg(long, value_name = "SCENE", requires = "kind", conflicts_with_all = ["log", "write_log"])]
+    pub(crate) scene: Option<PathBuf>,
+    /// What is drawn of the scene
+    #[arg(long, requires = "scene", value_parser = one_of::<FigureKind>(), hide_possible_values = true)]
+    pub(crate) kind: Option<FigureKind>,
     /// File of the figure: .svg, or .png and .pdf if this program was built with the feature raster; - is standard
     /// output
     #[arg(short, long, value_name = "F.svg", default_value = "-")]
@@ -90,6 +101,22 @@ pub(crate) struct FigureArgs {
     /// How it is drawn.
     #[command(flatten)]
     pub(crate) drawing: Drawing,
+}
+
+/// What a figure is of.
+#[derive(Clone, Debug)]
+pub(crate) enum Subject {
+    /// A figure of a lesson.
+    Figure(FigureName),
+    /// A pixel of a scene.
+    Pixel([u64; 2]),
+}
+
+fn subject(text: &str) -> Result<Subject, String> {
+    match pixel(text) {
+        Ok(pixel) => Ok(Subject::Pixel(pixel)),
+        Err(_) => text.parse().map(Subject::Figure),
+    }
 }
 
 /// All figures.

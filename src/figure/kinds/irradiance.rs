@@ -3,6 +3,7 @@
 
 use glam::{DVec2, DVec3};
 
+use crate::explain::Part;
 use crate::figure::error::FigureError;
 use crate::figure::heat_map::colour;
 use crate::figure::kind::Kind;
@@ -13,6 +14,7 @@ use crate::figure::sheet::Sheet;
 use crate::figure::sheet::canvas::quantity;
 use crate::figure::sheet::frame::Frame;
 use crate::figure::sheet::image::Image;
+use crate::figure::sheet::text::Text;
 use crate::figure::spec::Layer;
 use crate::figure::subject::Figure;
 use crate::figure::traced::Traced;
@@ -76,6 +78,7 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
         "The irradiance at the surface in each pixel: at most {} W/m².",
         quantity(most)
     )];
+    sheet.stage("map", None, sentences[0].clone());
     let mut body = body;
     let mut marked = None;
     if let Some(pixel) = figure.pixels().first() {
@@ -89,13 +92,15 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
             ));
         };
         let numbers = numbers(*pixel, gathering);
-        sheet.step(gathering.step, |sheet| {
-            if figure.shows(Layer::Numbers) {
-                body = sheet.lines(body, &numbers);
-            }
-        });
-        sentences.extend(numbers.iter().map(|text| format!("{text}.")));
-        marked = Some((*pixel, gathering.step));
+        let said: Vec<String> = numbers.iter().map(|text| format!("{text}.")).collect();
+        let stage = sheet.stage(Part::Irradiance, gathering.step, said.join(" "));
+        if figure.shows(Layer::Numbers) {
+            let mut lines = vec![Text::from(&numbers[0])];
+            lines.extend(gathering.lines());
+            body = sheet.at(stage, |sheet| sheet.lines(body, &lines));
+        }
+        sentences.extend(said);
+        marked = Some((*pixel, stage));
     }
     // a bar, its numbers, what it is, and air
     let below = if figure.shows(Layer::Legend) {
@@ -109,8 +114,8 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
     };
     let image = Image::new(figure.scene.camera.pixels, map.colours(most)).in_squares();
     let whole = picture::draw_image(sheet, room, image);
-    if let Some(([x, y], step)) = marked {
-        sheet.step(step, |sheet| {
+    if let Some(([x, y], stage)) = marked {
+        sheet.at(stage, |sheet| {
             let side = whole.size() / DVec2::from(figure.scene.camera.pixels.map(f64::from));
             let corner = whole.min + side * DVec2::new(f64::from(x), f64::from(y));
             let pixel = Frame {

@@ -300,7 +300,8 @@ fn line(
     [light, eye]: [StageId; 2],
 ) {
     let pane = scenery::window_pane(figure.scene).filter(|_| figure.shows(Layer::Window));
-    let covers: Vec<&Primitive> = figure.scene.primitives.iter().chain(&pane).collect();
+    let near = figure.near.iter().map(|id| figure.scene.primitive(*id));
+    let covers: Vec<&Primitive> = near.chain(&pane).collect();
     let cop = figure.scene.camera.cop;
     let [point, window, pinhole, negative] =
         [of.point, of.on_window, cop, of.on_negative].map(|at| space.place(at));

@@ -202,7 +202,8 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
         }
     }
     let pane = scenery::window_pane(figure.scene);
-    let covers: Vec<&Primitive> = figure.scene.primitives.iter().chain(&pane).collect();
+    let near = figure.near.iter().map(|id| figure.scene.primitive(*id));
+    let covers: Vec<&Primitive> = near.chain(&pane).collect();
     let mut sentences = Vec::new();
     for ray in &rays {
         ray.mark(sheet, &space);

@@ -91,6 +91,8 @@ impl Outline {
     /// With the level great circle of a ball, where it is seen in space: its front half, and the one behind. A point of it
     /// lies in front where its normal points towards who looks.
     fn with_equator(mut self, center: DVec3, radii: DVec3, projection: &Projection) -> Self {
+        /// Straight pieces of half a great circle.
+        const HALF: u32 = 24;
         if !projection.in_space {
             return self;
         }
@@ -98,9 +100,9 @@ impl Outline {
         // (x/a, z/c) = (cos, sin): the normal is (cos/a, 0, sin/c), and ends of the front half have none towards who looks
         let start = libm::atan2(-towards.x / radii.x, towards.z / radii.z);
         let half = |from: f64| {
-            let angle = |i: u32| from + f64::from(2 * i) / f64::from(POINTS) * TAU / 2.0;
+            let angle = |i: u32| from + f64::from(i) / f64::from(HALF) * TAU / 2.0;
             let at = |angle: f64| DVec3::new(libm::cos(angle), 0.0, libm::sin(angle));
-            let points = (0..=POINTS / 2).map(|i| center + radii * at(angle(i)));
+            let points = (0..=HALF).map(|i| center + radii * at(angle(i)));
             points.map(|point| projection.of(point)).collect()
         };
         self.edges.push(half(start));

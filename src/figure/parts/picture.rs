@@ -2,10 +2,12 @@
 
 use glam::DVec2;
 
+use crate::explain::Part;
 use crate::figure::error::FigureError;
 use crate::figure::sheet::frame::Frame;
 use crate::figure::sheet::image::Image;
 use crate::figure::sheet::look::Look;
+use crate::figure::sheet::stage::StageId;
 use crate::figure::sheet::{Anchor, Sheet};
 use crate::figure::subject::Figure;
 use crate::trace::{Purpose, RayTree, RayVerdict, Record};
@@ -80,12 +82,33 @@ pub(in crate::figure) fn draw(
     )];
     let in_words = pixels.iter().zip(&verdicts);
     sentences.extend(in_words.map(|([x, y], verdict)| format!("Pixel ({x}, {y}): {verdict}.")));
+    sheet.stage("picture", None, sentences[0].clone());
+    // a stage for each pixel, if they are few
+    let sentences_of_pixels = &sentences[1..];
+    let stages: Vec<StageId> = if pixels.len() <= FEW {
+        let each = pixels.iter().zip(sentences_of_pixels);
+        let each = each.map(|(pixel, said)| {
+            let step = figure
+                .records_of(*pixel)
+                .ok()
+                .and_then(|of| of.last())
+                .map(|last| last.step);
+            sheet.stage(Part::PixelColour, step, said.clone())
+        });
+        each.collect()
+    } else {
+        let all = sheet.stage("pixels", None, sentences_of_pixels.join(" "));
+        vec![all; pixels.len()]
+    };
     match pixels.as_slice() {
-        [pixel] => placed.note(sheet, *pixel, &notes),
-        _ => placed.notes(sheet, &pixels, &notes),
+        [pixel] => sheet.at(stages[0], |sheet| placed.note(sheet, *pixel, &notes)),
+        _ => placed.notes(sheet, &pixels, &notes, &stages),
     }
     Ok(sentences.join(" "))
 }
+
+/// So many pixels have a stage each.
+const FEW: usize = 8;
 
 /// Between the picture and what stands at its right, in letters.
 const GAP: f64 = 1.5;
@@ -167,7 +190,7 @@ impl Placed {
         let Some((first, rest)) = lines.split_first() else {
             return;
         };
-        self.notes(sheet, &[pixel], std::slice::from_ref(first));
+        self.write_note(sheet, pixel, self.pixel(pixel).middle().y, first);
         let at = DVec2::new(
             self.whole.max.x + GAP * sheet.letters,
             self.pixel(pixel).middle().y,
@@ -179,7 +202,7 @@ impl Placed {
     }
 
     /// Marks pixels, and joins each to a line of letters beside the picture.
-    fn notes(&self, sheet: &mut Sheet, pixels: &[[u32; 2]], notes: &[String]) {
+    fn notes(&self, sheet: &mut Sheet, pixels: &[[u32; 2]], notes: &[String], stages: &[StageId]) {
         let mut order: Vec<usize> = (0..pixels.len()).collect();
         order.sort_by_key(|&place| (pixels[place][1], pixels[place][0]));
         let mut lowest = f64::NEG_INFINITY;
@@ -188,14 +211,22 @@ impl Placed {
             // lines of letters do not lie over each other
             let y = pixel.middle().y.max(lowest + sheet.line_height());
             lowest = y;
-            let edge = DVec2::new(self.whole.max.x, y);
-            let side = DVec2::new(pixel.max.x + sheet.unit(), pixel.middle().y);
-            sheet.on_picture(&[side, edge], false);
-            self.mark(sheet, pixels[place]);
-            let gap = DVec2::new(GAP * sheet.letters, 0.0);
-            sheet.line(Look::THIN, edge, edge + 0.7 * gap);
-            sheet.text(Anchor::Start, edge + gap, notes[place].as_str());
+            sheet.at(stages[place], |sheet| {
+                self.write_note(sheet, pixels[place], y, &notes[place]);
+            });
         }
+    }
+
+    /// Marks a pixel, and joins it to a line of letters at this height.
+    fn write_note(&self, sheet: &mut Sheet, pixel: [u32; 2], y: f64, note: &str) {
+        let of = self.pixel(pixel);
+        let edge = DVec2::new(self.whole.max.x, y);
+        let side = DVec2::new(of.max.x + sheet.unit(), of.middle().y);
+        sheet.on_picture(&[side, edge], false);
+        self.mark(sheet, pixel);
+        let gap = DVec2::new(GAP * sheet.letters, 0.0);
+        sheet.line(Look::THIN, edge, edge + 0.7 * gap);
+        sheet.text(Anchor::Start, edge + gap, note);
     }
 }
 

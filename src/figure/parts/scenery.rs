@@ -16,8 +16,8 @@ use crate::scene::{Object, Primitive, PrimitiveId, Scene, Shape};
 /// The points that show a scene: outlines of all objects, the eye, the window.
 pub(in crate::figure) fn points_of(figure: &Figure) -> Vec<DVec3> {
     let mut points = Vec::new();
-    for primitive in &figure.scene.primitives {
-        points.extend(corners(primitive));
+    for id in &figure.near {
+        points.extend(corners(figure.scene.primitive(*id)));
     }
     let camera = &figure.scene.camera;
     if figure.shows(Layer::Eye) || figure.shows(Layer::Ray) {
@@ -48,8 +48,9 @@ pub(in crate::figure) fn objects(
     space: &Space,
     look: impl Fn(PrimitiveId) -> Look,
 ) {
-    for (id, primitive) in (0..).map(PrimitiveId).zip(&figure.scene.primitives) {
-        let outline = Outline::of(&primitive.shape, &space.projection);
+    for id in figure.near.iter().copied() {
+        let shape = &figure.scene.primitive(id).shape;
+        let outline = Outline::of(shape, &space.projection);
         outline::draw(sheet, space, &outline, look(id));
     }
 }
@@ -110,7 +111,8 @@ pub(in crate::figure) fn names_of(
     is_named: impl Fn(&Object) -> bool,
 ) {
     for object in &figure.scene.objects {
-        if object.count == 0 || !is_named(object) {
+        let is_drawn = figure.near.binary_search(&object.first).is_ok();
+        if object.count == 0 || !is_drawn || !is_named(object) {
             continue;
         }
         let shape = &figure.scene.primitive(object.first).shape;
@@ -193,8 +195,10 @@ pub(in crate::figure) fn window(figure: &Figure, sheet: &mut Sheet, space: &Spac
     let corners = window_corners(figure.scene).map(|corner| space.projection.of(corner));
     let rim = Rim::Points(corners.into());
     outline::rim(sheet, space, &rim, Look::OBJECT.wide(1.75).outline());
-    if figure.shows(Layer::Pixels) {
-        let [width, height] = figure.scene.camera.pixels;
+    /// More lines would be an area.
+    const MOST: u32 = 64;
+    let [width, height] = figure.scene.camera.pixels;
+    if figure.shows(Layer::Pixels) && width.max(height) <= MOST {
         let camera = &figure.scene.camera;
         let mut line = |from: [u32; 2], to: [u32; 2]| {
             let ends = [from, to].map(|[x, y]| {

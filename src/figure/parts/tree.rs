@@ -15,6 +15,8 @@ pub(in crate::figure) struct TreeNode {
     pub(in crate::figure) children: Vec<u32>,
     /// The objects of a leaf.
     pub(in crate::figure) objects: Vec<PrimitiveId>,
+    /// Is it drawn? Of a large tree only a part is.
+    pub(in crate::figure) is_shown: bool,
 }
 
 /// A hierarchy laid out.
@@ -28,11 +30,19 @@ pub(in crate::figure) struct Tree {
 
 impl Tree {
     pub(in crate::figure) fn of<const N: usize>(hierarchy: &Hierarchy<N>) -> Self {
-        let links: Vec<Link> = hierarchy.nodes().iter().map(|node| node.link).collect();
-        Self::laid_out(&links, hierarchy.order())
+        Self::part_of(hierarchy, |_| true)
     }
 
-    fn laid_out(links: &[Link], order: &[PrimitiveId]) -> Self {
+    /// Only some of its nodes; one without its parent is left out as well.
+    pub(in crate::figure) fn part_of<const N: usize>(
+        hierarchy: &Hierarchy<N>,
+        is_shown: impl Fn(u32) -> bool,
+    ) -> Self {
+        let links: Vec<Link> = hierarchy.nodes().iter().map(|node| node.link).collect();
+        Self::laid_out(&links, hierarchy.order(), is_shown)
+    }
+
+    fn laid_out(links: &[Link], order: &[PrimitiveId], is_shown: impl Fn(u32) -> bool) -> Self {
         let mut tree = Self {
             nodes: vec![TreeNode::default(); links.len()],
             size: DVec2::ZERO,
@@ -51,16 +61,18 @@ impl Tree {
             }
         }
         if !links.is_empty() {
-            tree.put(0, 0);
+            tree.put(0, 0, &is_shown);
         }
         tree
     }
 
     /// Gives a node and what is below it their places, from the left.
-    fn put(&mut self, node: usize, level: u32) {
-        let children = self.nodes[node].children.clone();
+    fn put(&mut self, node: usize, level: u32, is_shown: &impl Fn(u32) -> bool) {
+        self.nodes[node].is_shown = true;
+        let mut children = self.nodes[node].children.clone();
+        children.retain(|child| is_shown(*child));
         for &child in &children {
-            self.put(child as usize, level + 1);
+            self.put(child as usize, level + 1, is_shown);
         }
         let x = match (children.first(), children.last()) {
             (Some(&first), Some(&last)) => {
@@ -75,6 +87,14 @@ impl Tree {
         let level = f64::from(level);
         self.size.y = self.size.y.max(level + 1.0);
         self.nodes[node].place = DVec2::new(x, level);
+    }
+
+    /// The numbers of the nodes that are drawn.
+    pub(in crate::figure) fn shown(&self) -> Vec<usize> {
+        let numbers = 0..self.nodes.len();
+        numbers
+            .filter(|&number| self.nodes[number].is_shown)
+            .collect()
     }
 
     /// How far leaves and levels are apart in a frame, at most so far.
@@ -104,7 +124,7 @@ mod tests {
             Link::Objects { first: 2, count: 2 },
         ];
         let order = [3, 0, 1, 2].map(PrimitiveId);
-        let tree = Tree::laid_out(&links, &order);
+        let tree = Tree::laid_out(&links, &order, |_| true);
         let places: Vec<[f64; 2]> = tree.nodes.iter().map(|node| node.place.into()).collect();
         // leaves 1, 3, 4 from the left; 2 is between 3 and 4, 0 between 1 and 2
         let expected = [[1.25, 0.0], [0.5, 1.0], [2.0, 1.0], [1.5, 2.0], [2.5, 2.0]];
@@ -113,5 +133,10 @@ mod tests {
         assert_eq!(parents, [None, Some(0), Some(0), Some(2), Some(2)]);
         assert_eq!(tree.nodes[4].objects, [1, 2].map(PrimitiveId));
         assert_eq!(tree.size, DVec2::new(3.0, 3.0));
+        // without 4 its parent stands above 3
+        let part = Tree::laid_out(&links, &order, |node| node != 4);
+        assert_eq!(part.shown(), [0, 1, 2, 3]);
+        assert_eq!(part.nodes[2].place, DVec2::new(1.5, 1.0));
+        assert_eq!(part.size, DVec2::new(2.0, 3.0));
     }
 }

@@ -7,6 +7,8 @@ mod argument;
 mod nodes;
 mod volumes;
 
+use std::collections::HashSet;
+
 use crate::figure::error::FigureError;
 use crate::figure::kind::Kind;
 use crate::figure::kinds::hierarchy::argument::Argument;
@@ -59,16 +61,12 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
             "name a ray that is tested against objects, in a scene with objects",
         ));
     }
-    let nodes = hierarchy.nodes().len();
-    if MOST_NODES < nodes {
-        return Err(FigureError::new(
-            "scene",
-            format!("the tree has {nodes} nodes, more than a page has room for"),
-            format!("draw a scene with fewer objects: a figure has room for {MOST_NODES} nodes"),
-        ));
-    }
+    // of a large tree what the ray visits, from the first on
+    let is_large = MOST_NODES < hierarchy.nodes().len();
+    let visited = visits.order.iter().map(|(node, _)| *node);
+    let visited: HashSet<u32> = visited.take(MOST_NODES).collect();
     let walk = Walk {
-        tree: Tree::of(&hierarchy),
+        tree: Tree::part_of(&hierarchy, |node| !is_large || visited.contains(&node)),
         ray,
         hierarchy,
         visits,

@@ -36,7 +36,8 @@ impl Walk<'_> {
             frame
         };
         let places = self.places(sheet, frame);
-        for (number, node) in (0..).zip(&self.tree.nodes) {
+        for number in self.tree.shown() {
+            let (node, number) = (&self.tree.nodes[number], number as u32);
             self.node(sheet, &places, number);
             let visit = self.visits.nodes[number as usize];
             if let (Some((step, near)), true) = (visit.hit, figure.shows(Layer::Numbers)) {

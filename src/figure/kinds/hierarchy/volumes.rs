@@ -49,8 +49,8 @@ impl Walk<'_> {
             scenery::objects(figure, sheet, &space, |_| Look::OBJECT);
         }
         if figure.shows(Layer::Volumes) {
-            for (number, around) in outlines.iter().enumerate() {
-                self.volume(sheet, &space, number, around);
+            for number in self.tree.shown() {
+                self.volume(sheet, &space, number, &outlines[number]);
             }
             if figure.shows(Layer::Numbers) {
                 self.numbers(figure, sheet, &space, &outlines);
@@ -100,21 +100,28 @@ impl Walk<'_> {
             let points = around.rim.points().into_iter();
             Frame::around(points.map(|point| space.place_flat(point)))
         };
-        let frames: Vec<Frame> = outlines.iter().filter_map(frame_of).collect();
+        let shown = self.tree.shown();
+        let frames = shown
+            .into_iter()
+            .map(|number| (number, frame_of(&outlines[number])));
+        let frames: Vec<(usize, Frame)> = frames
+            .filter_map(|(number, frame)| Some((number, frame?)))
+            .collect();
         let ray = self.ray.node.start.and_then(|start| {
             let end = space.leaves(&start.ray)?;
             Some([start.ray.origin, start.ray.at(end)].map(|at| space.place(at)))
         });
         let mut taken: Vec<Frame> = Vec::new();
         if figure.shows(Layer::Objects) {
-            let rims = figure.scene.primitives.iter().map(|primitive| {
-                let rim = Outline::of(&primitive.shape, &space.projection).rim;
+            let rims = figure.near.iter().map(|id| {
+                let shape = &figure.scene.primitive(*id).shape;
+                let rim = Outline::of(shape, &space.projection).rim;
                 let points = rim.points().into_iter();
                 Frame::around(points.map(|point| space.place_flat(point)))
             });
             taken.extend(rims.flatten());
         }
-        for (number, frame) in frames.iter().enumerate() {
+        for &(number, frame) in &frames {
             let node = &self.tree.nodes[number];
             // a leaf is known by its object
             if node.objects.len() == 1 && figure.shows(Layer::Names) {
@@ -123,9 +130,8 @@ impl Walk<'_> {
             let text = number.to_string();
             let half = 0.5 * DVec2::new(sheet.width_of(&text), sheet.letters) + 1.5 * sheet.unit();
             let is_free = |place: &Frame, is_alone: bool| {
-                let of_others = (0..frames.len()).filter(|other| *other != number);
-                let disturbs = |other: usize| {
-                    let around = frames[other];
+                let of_others = frames.iter().filter(|(other, _)| *other != number);
+                let disturbs = |&(other, around): &(usize, Frame)| {
                     let is_apart = around.shared_area(*place) == 0.0;
                     // in the volumes of the nodes above it stands always; on their lines never
                     let is_in = around.holds(*place) && !self.is_above(number, other);
