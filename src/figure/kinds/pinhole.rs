@@ -416,7 +416,13 @@ fn in_words(figure: &Figure, of: &Seen) -> String {
 
 #[cfg(test)]
 mod tests {
+    use serde_json::json;
+
     use super::*;
+    use crate::figure::read_back::{ReadBack, traced};
+    use crate::geometry::Ray;
+    use crate::scene::small_scene::{scene_of, sphere};
+    use crate::trace::{PixelSample, RayEnd, RayStart};
 
     fn camera() -> Camera {
         // the window z = 3 before a COP at (0, 1, 5), 2 × 1
@@ -446,6 +452,51 @@ mod tests {
             case.corners[..4]
                 .iter()
                 .all(|corner| (corner.z - 7.0).abs() < 1e-12)
+        );
+    }
+    #[test]
+    fn the_image_of_a_point_is_as_far_behind_the_pinhole_as_its_pixel_is_before_it() {
+        let scene = scene_of(&[sphere([2.0, 0.0, -5.0], 1.0)]);
+        // through a point of the window, which lies 1 ahead, to one that is four times as far away
+        let point = DVec3::new(0.5, 0.0, -1.0);
+        let sample = PixelSample {
+            point,
+            ..PixelSample::default()
+        };
+        let start = RayStart {
+            ray: Ray::new(DVec3::ZERO, point),
+            window_t: Some(1.0),
+            ..RayStart::default()
+        };
+        let end = RayEnd {
+            t: Some(4.0),
+            object: Some(PrimitiveId(0)),
+            ..RayEnd::default()
+        };
+        let events = [
+            (None, Event::Pixel(sample)),
+            (Some(0), Event::Ray(start)),
+            (Some(0), Event::RayEnd(end)),
+        ];
+        let spec =
+            json!({"kind": "pinhole", "pixel": [0, 0], "show": ["objects", "window", "ray"]});
+        let drawn = ReadBack::of(spec, traced(scene, events));
+        let near = |at: DVec2| drawn.dots("ink").iter().any(|of| of.distance(at) < 0.05);
+        // the light's last head has its tip in P″
+        let heads = drawn.paths("light");
+        let heads: Vec<_> = heads.iter().filter(|points| points.len() == 3).collect();
+        let ends: Vec<DVec2> = heads.iter().map(|head| head[0]).collect();
+        // P is 4 from the pinhole, P′ 1, and P″ −1: five halves of the way from P″ to P′ lead to P
+        let is_image = |&end: &DVec2| {
+            drawn.dots("ink").iter().any(|&on_window| {
+                let way = on_window - end;
+                30.0 < way.length() && near(end + 2.5 * way)
+            })
+        };
+        assert!(
+            ends.iter().any(is_image),
+            "{ends:?}: {:?}",
+            drawn.dots("ink")
         );
     }
 }

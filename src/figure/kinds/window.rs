@@ -306,7 +306,12 @@ fn in_words(figure: &Figure, ray: &EyeRay) -> String {
 
 #[cfg(test)]
 mod tests {
+    use serde_json::json;
+
     use super::*;
+    use crate::figure::read_back::{ReadBack, traced};
+    use crate::scene::small_scene::{scene_of, sphere};
+    use crate::trace::{PixelSample, RayEnd, RayStart};
 
     #[test]
     fn the_view_plane_holds_the_window_and_the_foot_of_the_cop() {
@@ -325,5 +330,43 @@ mod tests {
         let close = |a: DVec3, b: [f64; 3]| (a - DVec3::from(b)).length() < 1e-12;
         assert!(close(corners[0], [-0.4, -1.4, 2.0]), "{}", corners[0]);
         assert!(close(corners[2], [4.4, 1.4, 2.0]), "{}", corners[2]);
+    }
+    #[test]
+    fn the_hit_lies_four_times_as_far_from_the_cop_as_the_pixel() {
+        let scene = scene_of(&[sphere([2.0, 0.0, -5.0], 1.0)]);
+        // through a point of the window, which lies 1 ahead, to one that is four times as far away
+        let point = DVec3::new(0.5, 0.0, -1.0);
+        let sample = PixelSample {
+            point,
+            ..PixelSample::default()
+        };
+        let start = RayStart {
+            ray: Ray::new(DVec3::ZERO, point),
+            window_t: Some(1.0),
+            ..RayStart::default()
+        };
+        let end = RayEnd {
+            t: Some(4.0),
+            object: Some(PrimitiveId(0)),
+            ..RayEnd::default()
+        };
+        let events = [
+            (None, Event::Pixel(sample)),
+            (Some(0), Event::Ray(start)),
+            (Some(0), Event::RayEnd(end)),
+        ];
+        let spec = json!({"kind": "window", "pixel": [0, 0], "view": "axonometric"});
+        let drawn = ReadBack::of(spec, traced(scene, events));
+        let near = |at: DVec2| drawn.dots("ink").iter().any(|of| of.distance(at) < 0.05);
+        let [hit] = drawn.dots("answer")[..] else {
+            panic!("{:?}", drawn.dots("answer"));
+        };
+        // the pixel's ring has ground inside; a parallel projection keeps the shares of a line
+        let pixels = drawn.dots("paper");
+        let [pixel] = pixels[..] else {
+            panic!("{pixels:?}");
+        };
+        let cop = pixel + (pixel - hit) / 3.0;
+        assert!(near(cop), "no COP at {cop}");
     }
 }
