@@ -69,22 +69,6 @@ pub(in crate::figure) fn some_objects(
     }
 }
 
-/// All objects, those that rays have hit marked if hits are shown.
-pub(in crate::figure) fn objects_met(
-    figure: &Figure,
-    sheet: &mut Sheet,
-    space: &Space,
-    met: &[PrimitiveId],
-) {
-    objects(figure, sheet, space, |id| {
-        if met.contains(&id) && figure.shows(Layer::Hits) {
-            Look::MET
-        } else {
-            Look::OBJECT
-        }
-    });
-}
-
 /// The names of all objects, each once, in or beside its outline.
 pub(in crate::figure) fn names(figure: &Figure, sheet: &mut Sheet, space: &Space) {
     names_of(figure, sheet, space, |_| true);
