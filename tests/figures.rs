@@ -4,13 +4,16 @@ use std::collections::HashSet;
 use std::io::Cursor;
 use std::path::Path;
 use std::sync::OnceLock;
+use std::time::Duration;
 
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD as BASE64;
+use raystep::explain::{Compared, grouped};
 use raystep::figure::{UpTo, draw, text_width};
-use raystep::lesson::lesson_schema;
+use raystep::lesson::{compare, lesson_schema};
 use raystep::{
-    Event, FigureName, FigureSpec, Library, Record, Rendition, Traced, Transport, Width,
+    Chosen, Counts, Event, FigureName, FigureSpec, Library, Record, Rendition, Traced, Tracer,
+    Transport, Width, render_picture,
 };
 use roxmltree::{Document, Node};
 
@@ -399,6 +402,92 @@ fn the_paths_of_a_caustic_have_all_come_through_the_ball() {
         .collect();
     assert_eq!(refracted, shown);
     check_text(&texts, "E = 17 · 0.03333 W");
+}
+
+#[test]
+fn the_totals_of_a_heat_map_are_what_the_whole_picture_takes() {
+    let (spec, traced) = figure("09-cost/heat");
+    let texts_of = |spec: &FigureSpec, traced: &[Traced]| {
+        let drawn = draw(spec, traced, ID, Width::Book, Rendition::default()).unwrap();
+        texts_of(&drawn.svg)
+    };
+    let texts = texts_of(spec, traced);
+    for of in traced {
+        let strategy =
+            Chosen::new(&of.scene, of.settings.strategy, &of.settings.structure).unwrap();
+        let tracer = Tracer::new(&of.scene, &strategy, of.settings.transport);
+        let mut counts = Counts::default();
+        render_picture(&tracer, of.settings.through, Some(&mut counts), &|_| {}).unwrap();
+        let tests = counts.objects_tested();
+        let nodes = counts.search.bounds.tests + counts.search.entered;
+        let cells = counts.search.cells;
+        let total = tests + nodes + cells;
+        check_text(&texts, &format!("{} tests in all", grouped(total)));
+        check_text(&texts, &format!("{} object tests", grouped(tests)));
+        for (count, what) in [(nodes, "bound tests and nodes"), (cells, "cells")] {
+            if 0 < count {
+                check_text(&texts, &format!("{} {what}", grouped(count)));
+            }
+        }
+    }
+    // one scale: its numbers stand once
+    for tick in ["1", "2", "5", "10", "20", "50", "100", "200"] {
+        assert_eq!(texts.iter().filter(|text| *text == tick).count(), 1);
+    }
+
+    // what `compare` counts of 48 × 48 pixels: 200 tests for most pixels without a structure
+    let library = library();
+    let name: FigureName = "09-cost/heat".parse().unwrap();
+    let (lesson, _) = library.find(&name).unwrap();
+    let mut small = spec.clone();
+    small.size = Some([48, 48]);
+    let traced = lesson.trace("heat", &small).unwrap();
+    let texts = texts_of(&small, &traced);
+    for text in [
+        "290 550 tests in all",
+        "1 648 object tests",
+        // 33 402 bounds and 16 895 nodes
+        "50 297 bound tests and nodes",
+        "51 945 tests in all",
+        "6 069 object tests",
+        "5 529 cells",
+        "11 598 tests in all",
+    ] {
+        check_text(&texts, text);
+    }
+}
+
+#[test]
+fn the_bars_of_costs_are_the_numbers_of_a_comparison() {
+    let (spec, traced) = figure("09-cost/strategies");
+    let drawn = draw(spec, traced, ID, Width::Book, Rendition::default()).unwrap();
+    let texts = texts_of(&drawn.svg);
+    let first = &traced[0];
+    let compared = compare(
+        &first.scene,
+        &first.settings,
+        spec.pixel,
+        1_000_000,
+        || Duration::ZERO,
+        |_| {},
+    );
+    let compared = compared.unwrap().compared;
+    for of in traced {
+        let same = |one: &&Compared| {
+            let settings = &one.settings;
+            settings.strategy == of.settings.strategy && settings.structure == of.settings.structure
+        };
+        let found = compared.iter().find(same).unwrap();
+        let cost = found.cost.as_ref().unwrap();
+        let [tests, searched] = [cost.counts.objects_tested(), cost.searched()];
+        let numbers = match searched {
+            0 => grouped(tests),
+            _ => [tests + searched, tests, searched].map(grouped).join(" "),
+        };
+        let at = texts.iter().position(|text| *text == found.name()).unwrap();
+        let drawn = texts[at + 1].replace(" =", "").replace(" +", "");
+        assert_eq!(drawn, numbers, "{}", found.name());
+    }
 }
 
 #[test]

@@ -1,8 +1,9 @@
-//! What each strategy costs, as bars on a logarithmic axis.
+//! What each strategy costs, as bars of honest length: on a linear axis from 0, all tests in one bar.
 
 use glam::DVec2;
 
-use crate::explain::{Comparison, grouped};
+use crate::explain::{Comparison, grouped, grouped_sum};
+use crate::figure::parts::ticks;
 use crate::figure::sheet::canvas::{Canvas, Rendition};
 use crate::figure::sheet::frame::Frame;
 use crate::figure::sheet::look::Look;
@@ -13,19 +14,16 @@ const GAP: f64 = 0.6;
 /// A line of letters with some air: the letters and a quarter of that above and below.
 const LINE: f64 = 1.5;
 /// Height of a bar, within its line.
-const BAR: f64 = 1.0;
+const BAR: f64 = 1.1;
 /// Between the bars of two strategies.
-const BETWEEN: f64 = 0.7;
-/// How long the bar of a single test is. A logarithmic axis has no 0: it begins a little before 1, so that
-/// 1 differs from 0.
-const ONE: f64 = 1.0;
+const BETWEEN: f64 = 0.5;
 /// Length of a tick.
 const TICK: f64 = 0.4;
 /// From one strategy to the next.
-const ROW: f64 = 2.0 * LINE + BETWEEN;
+const ROW: f64 = LINE + BETWEEN;
 
-/// Draws two bars for each strategy: object tests, full; tests of bounds, nodes entered and cells visited,
-/// faint. The number stands at the bar's end; a bar of 0 is a 0 where the axis begins.
+/// Draws one bar for each strategy, the cheapest first: object tests, full; behind them tests of bounds, nodes entered and
+/// cells visited, light. The total stands at the bar's end, and what it consists of.
 ///
 /// The drawing's name begins its ids and classes: a word of letters, digits and `-`. The same comparison
 /// gives the same bytes: times are not drawn.
@@ -45,7 +43,7 @@ pub fn cost_chart(id: &str, comparison: &Comparison) -> String {
     let mut sheet = Sheet::new(Width::Book, 0.0);
     sheet.size.y = (height(rows.len()) + 2.0) * sheet.letters;
     let body = sheet.body();
-    let description = cost_bars(&mut sheet, body, &rows);
+    let description = cost_bars(&mut sheet, body, rows);
     let title = format!("What each strategy costs. {}", comparison.title());
     Canvas::write(sheet, id, [&title, &description], Rendition::default())
 }
@@ -55,16 +53,39 @@ pub(super) fn height(rows: usize) -> f64 {
     LINE + BETWEEN + rows as f64 * ROW + TICK + 2.0 * LINE
 }
 
-/// A strategy's bars.
+/// A strategy's bar.
 pub(super) struct CostRow {
     pub(super) name: String,
     /// Object tests; tests of bounds, nodes and cells. `None` if the structure cannot be built.
     pub(super) counts: Option<[u64; 2]>,
 }
 
-/// Draws the bars from the top of a frame, and says them in words.
-pub(super) fn cost_bars(sheet: &mut Sheet, frame: Frame, rows: &[CostRow]) -> String {
-    let axis = Axis::of(sheet, frame, rows);
+impl CostRow {
+    /// All tests.
+    fn total(&self) -> Option<u128> {
+        let counts = self.counts?;
+        Some(counts.into_iter().map(u128::from).sum())
+    }
+
+    /// The total, and what it consists of if that is of two kinds.
+    fn numbers(&self) -> String {
+        match (self.counts, self.total()) {
+            (Some([tests, searched]), Some(total)) if 0 < tests && 0 < searched => format!(
+                "{} = {} + {}",
+                grouped_sum(total),
+                grouped(tests),
+                grouped(searched)
+            ),
+            (_, Some(total)) => grouped_sum(total),
+            (_, None) => "not built".into(),
+        }
+    }
+}
+
+/// Draws the bars from the top of a frame, the cheapest first, and says them in words.
+pub(super) fn cost_bars(sheet: &mut Sheet, frame: Frame, mut rows: Vec<CostRow>) -> String {
+    rows.sort_by_key(|row| row.total().unwrap_or(u128::MAX));
+    let axis = Axis::of(sheet, frame, &rows);
     let em = sheet.letters;
     let top = frame.min.y + (LINE + BETWEEN) * em;
     legend(sheet, DVec2::new(axis.start, frame.min.y + 0.5 * LINE * em));
@@ -72,79 +93,86 @@ pub(super) fn cost_bars(sheet: &mut Sheet, frame: Frame, rows: &[CostRow]) -> St
         bars(sheet, &axis, row, top + place as f64 * ROW * em);
     }
     axis.draw(sheet, [top, top + rows.len() as f64 * ROW * em]);
-    description(rows)
+    description(&rows)
 }
 
-/// The logarithmic axis.
+/// The axis of counts, from 0.
 struct Axis {
-    /// Where bars begin.
+    /// Where 0 is, and where bars begin.
     start: f64,
-    /// Where 1 is.
-    one: f64,
-    /// Width of a power of ten.
-    decade: f64,
-    /// How many of them.
-    decades: u32,
+    /// Where the last tick is.
+    end: f64,
+    ticks: Vec<u128>,
 }
 
 impl Axis {
-    /// Between the longest name and the longest number, up to the power of ten above the largest count.
+    /// From the longest name to as far right as the numbers behind the bars allow.
     fn of(sheet: &Sheet, frame: Frame, rows: &[CostRow]) -> Self {
         let em = sheet.letters;
         let names = rows.iter().map(|row| sheet.width_of(&row.name));
         let names = names.fold(0.0, f64::max);
-        let counts = rows.iter().filter_map(|row| row.counts).flatten();
-        let largest = counts.max().unwrap_or(0);
         let start = frame.min.x + names + GAP * em;
-        let end = frame.max.x - sheet.width_of(grouped(largest)) - GAP * em;
-        // 10 is one power of ten, 11 reaches into the second; there is at least one
-        let decades = largest.saturating_sub(1).checked_ilog10().unwrap_or(0) + 1;
-        let one = start + ONE * em;
+        let most = rows.iter().filter_map(CostRow::total).max().unwrap_or(0);
+        let ticks = ticks::linear(most);
+        let last = ticks[ticks.len() - 1];
+        // each bar with its numbers ends within the frame, and the axis as well, with half of its last number
+        let room = |row: &CostRow| {
+            let share = row.total().unwrap_or(0) as f64 / last as f64;
+            let numbers = sheet.width_of(row.numbers()) + 2.0 * GAP * em;
+            (frame.max.x - start - numbers) / share
+        };
+        let half = 0.5 * sheet.width_of(grouped_sum(last));
+        let longest = frame.max.x - start - half;
+        let length = rows.iter().map(room).fold(longest, f64::min);
         Self {
             start,
-            one,
-            decade: (end - one) / f64::from(decades),
-            decades,
+            end: start + length,
+            ticks,
         }
     }
 
-    /// Where a count is, which is not 0.
-    fn place(&self, count: u64) -> f64 {
-        self.one + libm::log10(count as f64) * self.decade
+    /// Where a count is.
+    fn place(&self, count: u128) -> f64 {
+        let last = self.ticks[self.ticks.len() - 1];
+        self.start + count as f64 / last as f64 * (self.end - self.start)
     }
 
     fn draw(&self, sheet: &mut Sheet, [top, y]: [f64; 2]) {
         let em = sheet.letters;
-        let end = self.one + self.decade * f64::from(self.decades);
         let at = DVec2::new;
         sheet.line(Look::THIN, at(self.start, top), at(self.start, y));
-        sheet.line(Look::THIN, at(self.start, y), at(end, y));
-        // the longest label with some air: every so many powers of ten have one
-        let label = sheet.width_of(power_of_ten(self.decades)) + GAP * em;
-        let labelled = (label / self.decade).ceil().max(1.0) as u32;
-        for power in 0..=self.decades {
-            let x = self.one + self.decade * f64::from(power);
+        sheet.line(Look::THIN, at(self.start, y), at(self.end, y));
+        // the longest label with some air: every so many ticks have one
+        let last = self.ticks.len() - 1;
+        let label = sheet.width_of(grouped_sum(self.ticks[last])) + GAP * em;
+        let apart = (self.end - self.start) / last as f64;
+        let labelled = (label / apart).ceil().max(1.0) as usize;
+        for (place, tick) in self.ticks.iter().enumerate() {
+            let x = self.place(*tick);
             sheet.line(Look::THIN, at(x, y), at(x, y + TICK * em));
-            if power.is_multiple_of(labelled) {
+            if (last - place).is_multiple_of(labelled) {
                 let middle = y + (TICK + 0.5 * LINE) * em;
-                sheet.text(Anchor::Middle, at(x, middle), power_of_ten(power));
+                sheet.text(Anchor::Middle, at(x, middle), grouped_sum(*tick));
             }
         }
-        let middle = at(f64::midpoint(self.start, end), y + (TICK + 1.5 * LINE) * em);
-        sheet.text(Anchor::Middle, middle, "tests (logarithmic)");
+        let middle = at(
+            f64::midpoint(self.start, self.end),
+            y + (TICK + 1.5 * LINE) * em,
+        );
+        sheet.text(Anchor::Middle, middle, "tests");
     }
 }
 
-/// The looks of the two bars, and what they count.
-const BARS: [(Look, &str); 2] = [
-    (Look::VISITED.full(), "object tests"),
-    (Look::REJECTED, "bound tests, nodes and cells"),
+/// The looks of the parts of a bar, and what they count.
+const PARTS: [(Look, &str); 2] = [
+    (Look::VISITED.inside().full(), "object tests"),
+    (Look::VISITED.wide(0.75), "bound tests, nodes and cells"),
 ];
 
 /// What the looks of the bars mean.
 fn legend(sheet: &mut Sheet, mut at: DVec2) {
     let em = sheet.letters;
-    for (look, words) in BARS {
+    for (look, words) in PARTS {
         bar(sheet, look, at, 2.0 * em);
         at.x += (2.0 + GAP) * em;
         sheet.text(Anchor::Start, at, words);
@@ -152,8 +180,13 @@ fn legend(sheet: &mut Sheet, mut at: DVec2) {
     }
 }
 
-/// A bar from its left end, in height around it.
+/// A bar from its left end, in height around it; one that is too short to be seen is left out.
 fn bar(sheet: &mut Sheet, look: Look, from: DVec2, length: f64) {
+    /// Of a unit of a book's sheet.
+    const SEEN: f64 = 0.05;
+    if length < SEEN {
+        return;
+    }
     let half = DVec2::new(0.0, 0.5 * BAR * sheet.letters);
     let frame = Frame {
         min: from - half,
@@ -165,97 +198,92 @@ fn bar(sheet: &mut Sheet, look: Look, from: DVec2, length: f64) {
 /// One strategy.
 fn bars(sheet: &mut Sheet, axis: &Axis, row: &CostRow, top: f64) {
     let em = sheet.letters;
-    let name = DVec2::new(axis.start - GAP * em, top + LINE * em);
+    let middle = top + 0.5 * ROW * em;
+    let name = DVec2::new(axis.start - GAP * em, middle);
     sheet.text(Anchor::End, name, &row.name);
-    let Some(counts) = row.counts else {
-        let at = DVec2::new(axis.start + GAP * em, top + LINE * em);
-        sheet.text(Anchor::Start, at, "not built");
-        return;
-    };
-    for (line, ((look, _), count)) in BARS.into_iter().zip(counts).enumerate() {
-        let middle = top + (line as f64 + 0.5) * LINE * em;
-        let mut end = axis.start;
-        if 0 < count {
-            end = axis.place(count);
-            let from = DVec2::new(axis.start, middle);
-            bar(sheet, look, from, end - axis.start);
-        }
-        let place = DVec2::new(end + GAP * em, middle);
-        sheet.text(Anchor::Start, place, grouped(count));
+    let mut from = 0;
+    for ((look, _), count) in PARTS.into_iter().zip(row.counts.unwrap_or_default()) {
+        let to = from + u128::from(count);
+        let [left, right] = [from, to].map(|count| axis.place(count));
+        bar(sheet, look, DVec2::new(left, middle), right - left);
+        from = to;
     }
+    let end = DVec2::new(axis.place(from) + GAP * em, middle);
+    sheet.text(Anchor::Start, end, row.numbers());
 }
 
 /// The numbers in words.
 fn description(rows: &[CostRow]) -> String {
-    let sentences = rows.iter().map(|row| match row.counts {
-        Some([tests, searched]) => format!(
-            "{}: {} object tests; {} bound tests, nodes and cells.",
+    let sentences = rows.iter().map(|row| match (row.counts, row.total()) {
+        (Some([tests, searched]), Some(total)) => format!(
+            "{}: {} tests in all, {} of objects and {} of bounds, nodes and cells.",
             row.name,
+            grouped_sum(total),
             grouped(tests),
             grouped(searched)
         ),
-        None => format!("{}: not built.", row.name),
+        _ => format!("{}: not built.", row.name),
     });
     let sentences: Vec<String> = sentences.collect();
     sentences.join(" ")
 }
 
-/// 1, 10, 10², 10³, …
-fn power_of_ten(power: u32) -> String {
-    const RAISED: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
-    match power {
-        0 => "1".into(),
-        1 => "10".into(),
-        _ => {
-            let digits = power.to_string();
-            let raised = digits
-                .bytes()
-                .map(|digit| RAISED[usize::from(digit - b'0')]);
-            format!("10{}", raised.collect::<String>())
-        }
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::figure::sheet::Form;
+    use crate::figure::sheet::text::Text;
 
-    fn axis_of(rows: &[CostRow]) -> Axis {
-        let sheet = Sheet::new(Width::Book, 400.0);
-        Axis::of(&sheet, sheet.body(), rows)
+    fn row(name: &str, counts: [u64; 2]) -> CostRow {
+        CostRow {
+            name: name.into(),
+            counts: Some(counts),
+        }
+    }
+
+    fn drawn(rows: Vec<CostRow>) -> Sheet {
+        let mut sheet = Sheet::new(Width::Book, 400.0);
+        let body = sheet.body();
+        cost_bars(&mut sheet, body, rows);
+        sheet
+    }
+
+    /// The bars behind the two of the legend: left end and length.
+    fn bars_of(sheet: &Sheet) -> Vec<[f64; 2]> {
+        let bars = sheet.marks.iter().filter_map(|mark| match mark.form {
+            Form::Rectangle(frame) => Some([frame.min.x, frame.size().x]),
+            _ => None,
+        });
+        bars.skip(2).collect()
     }
 
     #[test]
-    fn powers_of_ten_are_written_with_raised_digits() {
-        let written = [0, 1, 2, 8, 19].map(power_of_ten);
-        assert_eq!(written, ["1", "10", "10²", "10⁸", "10¹⁹"]);
-    }
-
-    #[test]
-    fn ten_times_as_many_tests_are_one_power_of_ten_further() {
-        let rows = [CostRow {
-            name: "x".into(),
-            counts: Some([1, 100_000]),
-        }];
-        let axis = axis_of(&rows);
-        assert_eq!(axis.decades, 5);
-        assert_eq!(axis.place(1), axis.one);
-        for count in [1, 10, 100, 1000, 10_000] {
-            let step = axis.place(10 * count) - axis.place(count);
-            assert!((step - axis.decade).abs() < 1e-9, "{count}");
+    fn a_bar_is_as_long_as_its_count_and_the_second_begins_where_the_first_ends() {
+        let sheet = drawn(vec![row("b", [200, 0]), row("a", [6, 24])]);
+        // the cheaper strategy comes first
+        let [tests, searched, all] = bars_of(&sheet)[..] else {
+            panic!("{:?}", bars_of(&sheet));
+        };
+        let of_one = all[1] / 200.0;
+        assert!((tests[1] - 6.0 * of_one).abs() < 1e-9);
+        assert!((searched[1] - 24.0 * of_one).abs() < 1e-9);
+        assert!((searched[0] - (tests[0] + tests[1])).abs() < 1e-9);
+        assert_eq!(tests[0], all[0]);
+        for text in ["30 = 6 + 24", "200", "0", "150"].map(Text::from) {
+            let has = sheet.words.iter().any(|words| words.text == text);
+            assert!(has, "{text:?}");
         }
     }
 
     #[test]
-    fn every_count_lies_on_the_axis() {
-        for (largest, decades) in [(0, 1), (1, 1), (2, 1), (10, 1), (11, 2), (u64::MAX, 20)] {
-            let counts = Some([0, largest]);
-            let axis = axis_of(&[CostRow {
-                name: "hierarchy, bottom-up, own slabs".into(),
-                counts,
-            }]);
-            assert_eq!(axis.decades, decades, "{largest}");
-            assert!(0.0 < axis.decade, "{largest}");
+    fn the_axis_ends_at_a_round_number_and_holds_every_count() {
+        for (largest, end) in [(0, 1), (1, 1), (7, 8), (200, 200), (201, 250)] {
+            let sheet = Sheet::new(Width::Book, 400.0);
+            let rows = [row("hierarchy, bottom-up, own slabs", [largest, 0])];
+            let axis = Axis::of(&sheet, sheet.body(), &rows);
+            assert_eq!(axis.ticks.last(), Some(&end), "{largest}");
+            let place = axis.place(largest.into());
+            assert!(axis.start <= place && place <= axis.end, "{largest}");
         }
     }
 }

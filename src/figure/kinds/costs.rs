@@ -36,7 +36,7 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
     }
     let [_, chart] = body.split_top(0.5 * above);
     let [x, y] = pixel;
-    let bars = cost_bars(sheet, chart, &rows);
+    let bars = cost_bars(sheet, chart, rows);
     Ok(format!("The rays of pixel ({x}, {y}). {bars}"))
 }
 

@@ -9,7 +9,7 @@ use crate::figure::kind::Kind;
 use crate::figure::parts::{picture, scale_bar, ticks};
 use crate::figure::sheet::frame::Frame;
 use crate::figure::sheet::image::Image;
-use crate::figure::sheet::{Anchor, Sheet};
+use crate::figure::sheet::{Anchor, Sheet, Width};
 use crate::figure::spec::Layer;
 use crate::figure::subject::Figure;
 use crate::figure::traced::Traced;
@@ -115,7 +115,7 @@ impl Scale {
         let ticks = if is_logarithmic {
             ticks::logarithmic(least, most)
         } else {
-            ticks::linear(most)
+            ticks::linear(most.into())
         };
         Self {
             is_logarithmic,
@@ -195,12 +195,17 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
 
 /// A map under its name, with its sums below.
 fn draw_map(figure: &Figure, sheet: &mut Sheet, frame: Frame, map: &Map, scale: &Scale) {
-    /// The total, and what it consists of.
-    const BELOW: f64 = 3.0;
+    let mut lines = vec![format!("{} tests in all", grouped(map.total()))];
+    // and what it consists of, at most two kinds; a slide has no room for small print
+    let mut below = 1.0;
+    if sheet.width == Width::Book {
+        lines.extend(map.parts());
+        below = 3.0;
+    }
     let line = sheet.line_height();
     let room = Frame {
         min: frame.min + DVec2::new(0.0, line),
-        max: frame.max - DVec2::new(0.0, (BELOW + 0.5) * line),
+        max: frame.max - DVec2::new(0.0, (below + 0.5) * line),
     };
     let colours = map.tests.iter();
     let colours = colours.map(|tests| Some(colour(scale.share((*tests).into()))));
@@ -209,8 +214,6 @@ fn draw_map(figure: &Figure, sheet: &mut Sheet, frame: Frame, map: &Map, scale: 
     let middle = whole.middle().x;
     let above = DVec2::new(middle, whole.min.y - 0.5 * line);
     sheet.text(Anchor::Middle, above, &map.name);
-    let mut lines = vec![format!("{} tests in all", grouped(map.total()))];
-    lines.extend(map.parts());
     for (place, text) in (0..).zip(lines) {
         let below = DVec2::new(middle, whole.max.y + (f64::from(place) + 0.75) * line);
         sheet.text(Anchor::Middle, below, text);

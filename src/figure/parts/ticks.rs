@@ -5,10 +5,10 @@ const ROUND: [u128; 3] = [1, 2, 5];
 
 /// The numbers 0, step, 2·step, … up to the first that is not below the largest count: some five of them, with a step of
 /// 1, 2 or 5 times a power of ten. An axis of no count ends at 1.
-pub(in crate::figure) fn linear(most: u64) -> Vec<u128> {
+pub(in crate::figure) fn linear(most: u128) -> Vec<u128> {
     /// With a step of 1, 2 or 5 there are from 3 to 6.
     const STEPS: u128 = 5;
-    let most = u128::from(most.max(1));
+    let most = most.max(1);
     let mut steps = powers_of_ten().flat_map(|power| ROUND.map(|round| round * power));
     let step = steps.find(|step| most <= STEPS * step).unwrap_or(most);
     (0..=most.div_ceil(step)).map(|of| of * step).collect()
@@ -49,12 +49,13 @@ mod tests {
             assert_eq!(linear(most), expected, "{most}");
         }
         // the largest count of all is 1.8·10¹⁹
-        let ticks = linear(u64::MAX);
+        let ticks = linear(u64::MAX.into());
         assert_eq!(ticks.last(), Some(&20_000_000_000_000_000_000));
         for most in (0..64).map(|bits| u64::MAX >> bits) {
+            let most = u128::from(most);
             let ticks = linear(most);
             assert!((2..=6).contains(&ticks.len()), "{most}: {ticks:?}");
-            assert!(u128::from(most) <= ticks[ticks.len() - 1], "{most}");
+            assert!(most <= ticks[ticks.len() - 1], "{most}");
         }
     }
 
