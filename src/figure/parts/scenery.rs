@@ -107,16 +107,24 @@ pub(in crate::figure) fn names_of(
 
 /// A name in the middle of an outline, or at its rim if there is no room.
 pub(in crate::figure) fn name_at(sheet: &mut Sheet, space: &Space, rim: &Rim, name: &str) {
+    if let Some(middle) = middle_of(space, rim) {
+        name_around(sheet, space, middle, name);
+    }
+}
+
+/// The middle of what is seen of an outline.
+pub(in crate::figure) fn middle_of(space: &Space, rim: &Rim) -> Option<DVec2> {
     let points: Vec<DVec2> = rim
         .points()
         .into_iter()
         .map(|point| space.place_flat(point))
         .collect();
     let seen = space.frame.cut_polygon(&points);
-    if seen.is_empty() {
-        return;
-    }
-    let middle = seen.iter().sum::<DVec2>() / seen.len() as f64;
+    (!seen.is_empty()).then(|| seen.iter().sum::<DVec2>() / seen.len() as f64)
+}
+
+/// A name with its middle there, or near there if there is no room.
+pub(in crate::figure) fn name_around(sheet: &mut Sheet, space: &Space, middle: DVec2, name: &str) {
     // a label begins beside its point; from a little left of the middle it comes to stand on it
     let start = middle - DVec2::new(0.5 * sheet.width_of(name) + 0.55 * sheet.letters, 0.0);
     sheet.name(space.frame, start, DVec2::X, name);

@@ -4,7 +4,7 @@ use glam::{DVec2, DVec3};
 
 use crate::figure::kinds::alignment::argument::Argument;
 use crate::figure::kinds::alignment::laid::{Laid, furthest};
-use crate::figure::kinds::alignment::mark;
+use crate::figure::kinds::alignment::{mark, name_beside};
 use crate::figure::parts::outline::{self, Outline, Rim, hull};
 use crate::figure::parts::scenery;
 use crate::figure::sheet::Sheet;
@@ -65,7 +65,9 @@ pub(super) fn draw(
         for object in &figure.scene.objects {
             let first = outlines.iter().find(|(id, _, _)| *id == object.first);
             if let Some((_, outline, _)) = first {
-                scenery::name_at(sheet, &space, &outline.rim, &scenery::short(&object.name));
+                let name = scenery::short(&object.name);
+                let ends = ends.map(|end| space.place_flat(end));
+                name_beside(sheet, &space, &outline.rim, &name, ends);
             }
         }
     });

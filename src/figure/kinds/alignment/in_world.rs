@@ -4,7 +4,8 @@ use glam::{DVec2, DVec3};
 
 use crate::figure::kinds::alignment::argument::Argument;
 use crate::figure::kinds::alignment::laid::{Laid, furthest};
-use crate::figure::kinds::alignment::mark;
+use crate::figure::kinds::alignment::{mark, name_beside};
+use crate::figure::parts::outline::Outline;
 use crate::figure::parts::scenery;
 use crate::figure::sheet::Sheet;
 use crate::figure::sheet::canvas::coordinates;
@@ -50,7 +51,12 @@ pub(super) fn draw(
         });
     });
     if figure.shows(Layer::Names) {
-        scenery::names(figure, sheet, &space);
+        for object in figure.scene.objects.iter().filter(|of| 0 < of.count) {
+            let shape = &figure.scene.primitive(object.first).shape;
+            let rim = Outline::of(shape, &space.projection).rim;
+            let name = scenery::short(&object.name);
+            name_beside(sheet, &space, &rim, &name, [from, to]);
+        }
     }
 }
 

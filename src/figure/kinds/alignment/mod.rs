@@ -15,6 +15,7 @@ use crate::figure::error::FigureError;
 use crate::figure::kind::Kind;
 use crate::figure::kinds::alignment::argument::Argument;
 use crate::figure::kinds::alignment::laid::Laid;
+use crate::figure::parts::outline::Rim;
 use crate::figure::parts::scenery;
 use crate::figure::sheet::canvas::{coordinates, quantity};
 use crate::figure::sheet::frame::Frame;
@@ -23,6 +24,7 @@ use crate::figure::sheet::text::formula;
 use crate::figure::sheet::{Anchor, Sheet};
 use crate::figure::spec::Layer;
 use crate::figure::subject::Figure;
+use crate::figure::view::Space;
 
 pub(super) const KIND: Kind = Kind {
     draw,
@@ -62,7 +64,8 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
 
 /// M to the right, and M⁻¹ back.
 fn transformations(sheet: &mut Sheet, between: Frame, argument: &Argument) {
-    let (from, to) = (between.min.x, between.max.x);
+    // the letters of the axes stand before the panel
+    let (from, to) = (between.min.x, between.max.x - 1.2 * sheet.letters);
     let ways = [
         (argument.frame, "M", [from, to], -0.7),
         (argument.nearest, "M⁻¹", [to, from], 0.7),
@@ -72,10 +75,24 @@ fn transformations(sheet: &mut Sheet, between: Frame, argument: &Argument) {
         sheet.at(stage, |sheet| {
             let [from, to] = ends.map(|x| DVec2::new(x, y));
             sheet.arrow(Look::THIN.wide(1.5), from, to);
-            let above = DVec2::new(between.middle().x, y + 1.2 * down * sheet.letters);
+            let above = DVec2::new(f64::midpoint(from.x, to.x), y + 1.2 * down * sheet.letters);
             sheet.text(Anchor::Middle, above, formula(name));
         });
     }
+}
+
+/// A name in an outline, beside the ray where that passes its middle.
+fn name_beside(sheet: &mut Sheet, space: &Space, rim: &Rim, name: &str, [from, to]: [DVec2; 2]) {
+    /// Between the middle of a name and the ray, in sizes of letters.
+    const AWAY: f64 = 0.95;
+    let Some(middle) = scenery::middle_of(space, rim) else {
+        return;
+    };
+    let across = (to - from).perp().normalize_or_zero();
+    let side = across.dot(middle - from);
+    let missing = AWAY * sheet.letters - side.abs();
+    let aside = 1f64.copysign(side) * missing.max(0.0) * across;
+    scenery::name_around(sheet, space, middle + aside, name);
 }
 
 /// The nearest hit is a point, the others are rings.
