@@ -100,7 +100,9 @@ pub fn draw(
     }
     let stages: Vec<DrawnStage> = sheet.stages.iter().map(DrawnStage::of).collect();
     let description = match rendition.up_to {
-        Some(up_to) if !stages.is_empty() => story(&stages, up_to),
+        Some(up_to) if !stages.is_empty() && !is_all(&stages, &steps, up_to) => {
+            story(&stages, up_to)
+        }
         _ => description,
     };
     Ok(Drawn {
@@ -118,6 +120,14 @@ impl DrawnStage {
             sentence: stage.sentence.clone(),
             step: stage.step,
         }
+    }
+}
+
+/// Is the drawing up to there the whole one?
+fn is_all(stages: &[DrawnStage], steps: &[u32], up_to: UpTo) -> bool {
+    match up_to {
+        UpTo::Stage(last) => stages.len() <= last as usize,
+        UpTo::Step(last) => steps.last().is_none_or(|step| *step <= last),
     }
 }
 

@@ -171,8 +171,9 @@ fn each_step_is_a_file_and_the_last_is_the_whole_figure() {
         .into_iter()
         .filter(|name| name != "lessons")
         .collect();
-    assert_eq!(names, ["hit-1.svg"]);
-    assert_eq!(text(folder.read("hit-1.svg")), whole);
+    // the ray leaves, it hits the ball, and the pixel has its colour
+    assert_eq!(names, ["hit-1.svg", "hit-2.svg", "hit-3.svg"]);
+    assert_eq!(text(folder.read("hit-3.svg")), whole);
     // before the ray starts there is none
     let before = text(folder.run("figure 01-ball/hit --step 0").well());
     assert!(whole.contains("eye ray") && !before.contains(">eye ray<"));
@@ -185,7 +186,7 @@ fn for_a_slide_letters_are_larger_and_for_print_there_is_no_colour() {
     let book = drawn("");
     assert!(book.contains("width=\"760\"") && book.contains("viewBox=\"0 "));
     let slide = drawn("--width slide");
-    assert!(slide.contains("viewBox=\"0 0 1280 720\"") && slide.contains("font-size=\"24\""));
+    assert!(slide.contains("viewBox=\"0 0 1280 720\"") && slide.contains("font-size=\"32\""));
     let alone = drawn("--standalone");
     assert!(!alone.contains("var(") && !alone.contains("<style"));
     let grey = drawn("--grayscale");

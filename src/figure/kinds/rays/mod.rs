@@ -317,7 +317,8 @@ fn colour(figure: &Figure, sheet: &mut Sheet, space: &Space, drawn: &Drawn, argu
         let is_miss = eye.end.is_some_and(|end| end.object.is_none());
         sheet.at(argument.of(Of::Colour(place)), |sheet| {
             let rgb = rgb.to_array().map(|of| of as u8);
-            sheet.image(square, Image::new([1, 1], vec![Some(rgb)]));
+            let colour = Image::new([1, 1], vec![Some(rgb)]).in_squares();
+            sheet.image(square, colour);
             sheet.rectangle(Look::THIN, square);
             let text = if is_miss {
                 "pixel: background"
