@@ -89,8 +89,12 @@ pub(super) fn cost_bars(sheet: &mut Sheet, frame: Frame, mut rows: Vec<CostRow>)
     let em = sheet.letters;
     let top = frame.min.y + (LINE + BETWEEN) * em;
     legend(sheet, DVec2::new(axis.start, frame.min.y + 0.5 * LINE * em));
-    for (place, row) in rows.iter().enumerate() {
-        bars(sheet, &axis, row, top + place as f64 * ROW * em);
+    // told from the dearest to the cheapest
+    for (place, row) in rows.iter().enumerate().rev() {
+        let stage = sheet.stage(row.name.clone(), None, sentence(row));
+        sheet.at(stage, |sheet| {
+            bars(sheet, &axis, row, top + place as f64 * ROW * em);
+        });
     }
     axis.draw(sheet, [top, top + rows.len() as f64 * ROW * em]);
     description(&rows)
@@ -214,7 +218,12 @@ fn bars(sheet: &mut Sheet, axis: &Axis, row: &CostRow, top: f64) {
 
 /// The numbers in words.
 fn description(rows: &[CostRow]) -> String {
-    let sentences = rows.iter().map(|row| match (row.counts, row.total()) {
+    let sentences: Vec<String> = rows.iter().map(sentence).collect();
+    sentences.join(" ")
+}
+
+fn sentence(row: &CostRow) -> String {
+    match (row.counts, row.total()) {
         (Some([tests, searched]), Some(total)) => format!(
             "{}: {} tests in all, {} of objects and {} of bounds, nodes and cells.",
             row.name,
@@ -223,9 +232,7 @@ fn description(rows: &[CostRow]) -> String {
             grouped(searched)
         ),
         _ => format!("{}: not built.", row.name),
-    });
-    let sentences: Vec<String> = sentences.collect();
-    sentences.join(" ")
+    }
 }
 
 #[cfg(test)]

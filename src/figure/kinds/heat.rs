@@ -168,15 +168,7 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
     let gap = 2.0 * sheet.letters;
     let count = maps.len() as f64;
     let width = (body.size().x - (count - 1.0) * gap) / count;
-    for (place, map) in maps.iter().enumerate() {
-        let left = body.min.x + place as f64 * (width + gap);
-        let frame = Frame {
-            min: DVec2::new(left, body.min.y),
-            max: DVec2::new(left + width, body.max.y),
-        };
-        draw_map(figure, sheet, frame, map, &scale);
-    }
-    let sentences = maps.iter().map(|map| {
+    let sentence = |map: &Map| {
         let all = || map.tests.iter().copied();
         let [least, most] = [all().min(), all().max()].map(|of| grouped(of.unwrap_or(0)));
         format!(
@@ -185,8 +177,18 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
             grouped(map.total()),
             map.parts().join(", ")
         )
-    });
-    let mut sentences: Vec<String> = sentences.collect();
+    };
+    let mut sentences: Vec<String> = maps.iter().map(sentence).collect();
+    for (place, map) in maps.iter().enumerate() {
+        // map by map, in order
+        let stage = sheet.stage(map.name.clone(), None, sentences[place].clone());
+        let left = body.min.x + place as f64 * (width + gap);
+        let frame = Frame {
+            min: DVec2::new(left, body.min.y),
+            max: DVec2::new(left + width, body.max.y),
+        };
+        sheet.at(stage, |sheet| draw_map(figure, sheet, frame, map, &scale));
+    }
     if 1 < maps.len() {
         sentences.push("All maps have the same scale.".into());
     }
