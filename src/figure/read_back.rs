@@ -12,6 +12,11 @@ use crate::figure::traced::Traced;
 use crate::scene::Scene;
 use crate::trace::{Event, Record, Settings};
 
+pub(in crate::figure) use of_scene::ball;
+
+/// Coordinates in a drawing have two digits behind the point.
+pub(in crate::figure) const DRAWN: f64 = 0.02;
+
 /// What a drawing's elements are named by here.
 const ID: &str = "read";
 
@@ -127,4 +132,85 @@ fn points(data: &str) -> Vec<DVec2> {
     let numbers: Vec<f64> = numbers.map(|number| number.parse().unwrap()).collect();
     let pair = |pair: &[f64]| DVec2::new(pair[0], pair[1]);
     numbers.chunks_exact(2).map(pair).collect()
+}
+
+#[cfg(test)]
+mod of_scene {
+    use super::*;
+    use crate::figure::sheet::frame::Frame;
+    use crate::lesson::trace_figure;
+    use crate::scene::{NoFiles, load_bytes};
+
+    impl ReadBack {
+        /// Traces a scene of one pixel, whose ray starts in (−10, 0, 0) and goes along the x axis, and draws the figure.
+        #[track_caller]
+        pub(in crate::figure) fn of_ray_along_x(
+            objects: &Value,
+            mut spec: Value,
+        ) -> (Self, Vec<Traced>) {
+            let scene = serde_json::json!({
+                "camera": {
+                    "look_at": { "cop": [-10, 0, 0], "target": [0, 0, 0], "up": [0, 1, 0], "fov_degrees": 30 },
+                    "pixels": [1, 1]
+                },
+                "materials": { "m": { "colour": [1, 1, 1] } },
+                "slabs": [[1, 0], [0, 1]],
+                "objects": objects
+            });
+            let loaded = load_bytes("scene.json", scene.to_string().as_bytes(), &NoFiles).unwrap();
+            for (key, value) in [("scene", "by hand"), ("transport", "backward")] {
+                spec[key] = value.into();
+            }
+            if spec.get("pixels").is_none() {
+                spec["pixel"] = serde_json::json!([0, 0]);
+            }
+            let spec: FigureSpec = serde_json::from_value(spec).unwrap();
+            let traced = trace_figure(loaded, "test/by-hand", &spec, |error| panic!("{error}"));
+            let traced = traced.unwrap();
+            let drawn = draw(&spec, &traced, ID, Width::Book, Rendition::default());
+            let svg = drawn.unwrap().svg;
+            (Self { svg }, traced)
+        }
+
+        /// The rectangles that have a colour.
+        pub(in crate::figure) fn rectangles(&self, colour: &str) -> Vec<Frame> {
+            self.read(|node| {
+                let is_it = node.has_tag_name("rect") && has_colour(node, colour);
+                is_it.then(|| {
+                    let min = DVec2::new(number(node, "x"), number(node, "y"));
+                    let size = DVec2::new(number(node, "width"), number(node, "height"));
+                    Frame {
+                        min,
+                        max: min + size,
+                    }
+                })
+            })
+        }
+
+        /// The places at which the upright straight lines of a colour stand, from the left, each once.
+        pub(in crate::figure) fn upright(&self, colour: &str) -> Vec<f64> {
+            let lines = self.paths(colour).into_iter();
+            let lines = lines.filter(|line| line.len() == 2 && line[0].x == line[1].x);
+            let mut places: Vec<f64> = lines.map(|line| line[0].x).collect();
+            places.sort_by(f64::total_cmp);
+            places.dedup();
+            places
+        }
+
+        /// The letters of each text, and where it is anchored.
+        pub(in crate::figure) fn placed_texts(&self) -> Vec<(String, DVec2)> {
+            let places = self.read(|node| {
+                let is_it = node.has_tag_name("text");
+                is_it.then(|| DVec2::new(number(node, "x"), number(node, "y")))
+            });
+            self.texts().into_iter().zip(places).collect()
+        }
+    }
+
+    /// A ball for such a scene.
+    pub(in crate::figure) fn ball(name: &str, center: [f64; 3], radius: f64) -> Value {
+        serde_json::json!({
+            "name": name, "material": "m", "shape": { "sphere": { "center": center, "radius": radius } }
+        })
+    }
 }

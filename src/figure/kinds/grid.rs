@@ -301,3 +301,33 @@ fn cell_in_words(figure: &Figure, number: u32, visit: &Visit) -> String {
     let found: Vec<String> = found.collect();
     format!("Cell {number}, {cell}: {}.", found.join("; "))
 }
+
+#[cfg(test)]
+mod tests {
+    use serde_json::json;
+
+    use crate::figure::read_back::{DRAWN, ReadBack, ball};
+
+    #[test]
+    fn the_hit_lies_a_third_of_the_way_through_the_grid() {
+        let objects = json!([
+            ball("A", [0.0; 3], 1.0),
+            ball("B", [6.0, 0.0, 0.0], 1.0),
+            ball("C", [-4.0, 0.0, 3.0], 1.0)
+        ]);
+        let spec = json!({ "kind": "grid", "strategy": "grid", "view": "top", "structure": { "grid": { "resolution": [4, 1, 1] } } });
+        let (drawn, _) = ReadBack::of_ray_along_x(&objects, spec);
+        // the box goes from x = −5 to 7, and A is hit at −1
+        let planes = drawn.upright("ink");
+        let (first, last) = (planes[0], planes[planes.len() - 1]);
+        let third = first + (last - first) / 3.0;
+        let hit = drawn
+            .dots("answer")
+            .into_iter()
+            .find(|at| (at.x - third).abs() < DRAWN);
+        assert!(hit.is_some(), "{:?}, not {third}", drawn.dots("answer"));
+        // two cells of a width of 3, of which the second one has A on its list
+        let cells = drawn.rectangles("visited").len() + drawn.paths("visited").len();
+        assert!(2 <= cells, "{cells}");
+    }
+}

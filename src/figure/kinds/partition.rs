@@ -277,3 +277,42 @@ fn numbers(sheet: &mut Sheet, space: &Space, lattice: &Lattice) {
         );
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use serde_json::json;
+
+    use crate::figure::read_back::{ReadBack, ball};
+
+    #[test]
+    fn the_cells_with_a_list_are_those_that_hold_an_object() {
+        let objects = json!([
+            ball("A", [0.0; 3], 0.9),
+            ball("B", [6.0, 0.0, 0.0], 1.0),
+            ball("C", [-4.0, 0.0, 3.0], 1.0)
+        ]);
+        let spec = json!({
+            "kind": "partition", "strategy": "grid", "view": "top", "structure": { "grid": { "resolution": [4, 1, 1] } }, "show": ["objects", "names", "cells", "lists"]
+        });
+        let (drawn, _) = ReadBack::of_ray_along_x(&objects, spec);
+        let mut cells = drawn.rectangles("visited");
+        // the last one is that of the legend
+        cells.sort_by(|a, b| {
+            a.min
+                .y
+                .total_cmp(&b.min.y)
+                .then(a.min.x.total_cmp(&b.min.x))
+        });
+        cells.pop();
+        // x from −5 to 7 in four cells: C in the first one, A in the second one, B in the fourth one
+        let width = cells[0].size().x;
+        let columns = cells
+            .iter()
+            .map(|cell| (cell.min.x - cells[0].min.x) / width);
+        let columns: Vec<f64> = columns.collect();
+        assert_eq!(columns.len(), 3, "{columns:?}");
+        for (column, expected) in columns.iter().zip([0.0, 1.0, 3.0]) {
+            assert!((column - expected).abs() < 1e-3, "{columns:?}");
+        }
+    }
+}

@@ -376,7 +376,10 @@ fn sentences(walk: &Walk, rows: &[Row]) -> Vec<String> {
 
 #[cfg(test)]
 mod tests {
+    use serde_json::json;
+
     use super::*;
+    use crate::figure::read_back::{DRAWN, ReadBack, ball};
     use crate::structure::{Across, CellStep};
 
     fn visit(cell: [u32; 3], next: [f64; 3], across: Across) -> Visit {
@@ -424,5 +427,30 @@ mod tests {
     #[test]
     fn a_walk_that_ends_with_a_hit_crosses_no_plane_after_it() {
         check(&walk(WalkEnd::HitInCell), 2, ["8", "∞", "9.5"], &[], "hit");
+    }
+
+    #[test]
+    fn each_plane_that_is_crossed_has_its_mark_on_it() {
+        let objects = json!([
+            ball("A", [0.0; 3], 1.0),
+            ball("B", [6.0, 0.0, 0.0], 1.0),
+            ball("C", [-4.0, 0.0, 3.0], 1.0)
+        ]);
+        let spec = json!({ "kind": "steps", "strategy": "grid", "view": "top", "structure": { "grid": { "resolution": [4, 1, 1] } } });
+        let (drawn, _) = ReadBack::of_ray_along_x(&objects, spec);
+        let planes = drawn.upright("ink");
+        // it enters at the first of the five planes, x = −5, t = 5, and crosses the second one at t = 8
+        let marks = drawn.dots("ink");
+        for plane in &planes[..2] {
+            let is_on = |at: &&DVec2| (at.x - plane).abs() < DRAWN;
+            assert!(marks.iter().any(|at| is_on(&at)), "{plane}: {marks:?}");
+        }
+        let quarter = planes[0] + (planes[4] - planes[0]) / 4.0;
+        assert!((planes[1] - quarter).abs() < DRAWN, "{planes:?}");
+        let texts = drawn.texts();
+        // the cells are 3 wide
+        for text in ["t = 5", "t = 8", "+ 3", "+ ∞", "i = 0", "3"] {
+            assert!(texts.iter().any(|of| of == text), "no {text}: {texts:?}");
+        }
     }
 }

@@ -42,7 +42,7 @@ impl Verdict {
                 ..Look::REJECTED.outline()
             },
             Self::Waiting => Look {
-                dash: Dash::Dashed,
+                dash: Dash::Long,
                 ..Look::VISITED.outline()
             },
             Self::Unreached => Look::CULLED,

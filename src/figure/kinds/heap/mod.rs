@@ -231,7 +231,11 @@ fn entry_text(entry: &Entry) -> String {
 
 #[cfg(test)]
 mod tests {
+    use glam::DVec2;
+    use serde_json::json;
+
     use super::*;
+    use crate::figure::read_back::{ReadBack, ball};
 
     fn record(step: u32, action: QueueAction, node: u32, key: f64) -> Record {
         let size = 0;
@@ -272,5 +276,53 @@ mod tests {
         assert!(turns[3].is_stop());
         let last: Vec<u32> = turns.iter().map(|turn| turn.last).collect();
         assert_eq!(last, [3, 8, 9, 10]);
+    }
+
+    #[test]
+    fn the_nodes_that_wait_stand_in_the_order_of_their_keys() {
+        let objects = json!([
+            ball("A", [0.0; 3], 1.0),
+            ball("B", [6.0, 0.0, 0.0], 1.0),
+            ball("C", [-5.0, 1.2, 0.0], 1.3),
+            ball("D", [3.0, 1.1, 0.0], 1.0)
+        ]);
+        let (drawn, traced) =
+            ReadBack::of_ray_along_x(&objects, json!({ "kind": "heap", "strategy": "heap" }));
+        let mut keys: Vec<f64> = Vec::new();
+        for record in &traced[0].records {
+            if let (Some(0), Event::Queue(step)) = (record.ray, &record.event)
+                && step.action == QueueAction::Push
+            {
+                keys.push(step.key);
+            }
+        }
+        let texts = drawn.placed_texts();
+        let entries = texts.iter().filter_map(|(text, at)| {
+            let (node, key) = text.split_once(": ")?;
+            let _: u32 = node.parse().ok()?;
+            Some((*at, key.parse::<f64>().ok()?))
+        });
+        let mut entries: Vec<(DVec2, f64)> = entries.collect();
+        // by rows, each from the left; what is popped stands at the left of the heap
+        entries.sort_by(|(a, _), (b, _)| a.y.total_cmp(&b.y).then(a.x.total_cmp(&b.x)));
+        let popped = entries
+            .iter()
+            .map(|(at, _)| at.x)
+            .fold(f64::INFINITY, f64::min);
+        let heap: Vec<_> = entries
+            .into_iter()
+            .filter(|(at, _)| popped < at.x)
+            .collect();
+        let rows = heap.chunk_by(|(a, _), (b, _)| a.y == b.y);
+        assert!(rows.clone().any(|row| 2 <= row.len()), "{heap:?}");
+        for row in rows {
+            assert!(row.is_sorted_by(|(_, a), (_, b)| a <= b), "{row:?}");
+            for (_, key) in row {
+                assert!(
+                    keys.iter().any(|of| (of - key).abs() < 0.01),
+                    "{key} of {keys:?}"
+                );
+            }
+        }
     }
 }

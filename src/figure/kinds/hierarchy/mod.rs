@@ -133,3 +133,50 @@ impl Walk<'_> {
         sentences.join(" ")
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use glam::DVec2;
+    use serde_json::json;
+
+    use crate::figure::read_back::{DRAWN, ReadBack, ball};
+
+    #[test]
+    fn the_hit_and_where_a_node_begins_lie_on_the_ray() {
+        let objects = json!([
+            ball("A", [0.0; 3], 1.0),
+            ball("B", [6.0, 0.0, 0.0], 1.5),
+            ball("C", [6.0, 0.0, 5.0], 1.0)
+        ]);
+        let spec = json!({ "kind": "hierarchy", "strategy": "hierarchy", "view": "top" });
+        let (drawn, _) = ReadBack::of_ray_along_x(&objects, spec);
+        // A is hit at t = 9, at the left end of its outline; B begins at x = 4.5, one and a half scene units before its middle
+        let outlines = drawn.circles("ink");
+        let radii = outlines.iter().map(|(_, radius)| *radius);
+        let largest = radii.fold(0.0, f64::max);
+        let of_radius = |share: f64| {
+            let is_it = |(_, radius): &&(DVec2, f64)| (radius / largest - share).abs() < 0.01;
+            let mut found: Vec<DVec2> = outlines.iter().filter(is_it).map(|(at, _)| *at).collect();
+            found.sort_by(|a, b| a.x.total_cmp(&b.x));
+            found
+        };
+        let (a, b) = (of_radius(1.0 / 1.5)[0], of_radius(1.0)[0]);
+        let unit = (b.x - a.x) / 6.0;
+        let hit = DVec2::new(a.x - unit, a.y);
+        let answers = drawn.dots("answer");
+        assert!(
+            answers.iter().any(|at| at.distance(hit) < DRAWN),
+            "{answers:?}, not {hit}"
+        );
+        let begins = DVec2::new(a.x + 4.5 * unit, a.y);
+        let rings = drawn.dots("rejected");
+        assert!(
+            rings.iter().any(|at| at.distance(begins) < DRAWN),
+            "{rings:?}, not {begins}"
+        );
+        let texts = drawn.texts();
+        for text in ["t = 9", "t = 14.5"] {
+            assert!(texts.iter().any(|of| of == text), "no {text}: {texts:?}");
+        }
+    }
+}

@@ -19,6 +19,8 @@ struct Places {
     radius: f64,
     /// From leaf to leaf.
     column: f64,
+    /// Where the drawing ends.
+    right: f64,
 }
 
 impl Walk<'_> {
@@ -100,6 +102,7 @@ impl Walk<'_> {
                 .min(0.45 * spacing.x)
                 .min(0.34 * spacing.y),
             column: spacing.x,
+            right: frame.max.x,
         }
     }
 
@@ -198,7 +201,20 @@ impl Places {
         let is_beside = |other: &&DVec2| other.y == at.y && at.x < other.x;
         let next = self.at.iter().filter(is_beside);
         let next = next.map(|other| other.x).fold(f64::INFINITY, f64::min);
-        (left + width + gap <= next - self.radius).then_some(DVec2::new(left, at.y))
+        let end = (next - self.radius - gap).min(self.right);
+        if left + width <= end {
+            return Some(DVec2::new(left, at.y));
+        }
+        // at its left, up to the node before
+        let before = self
+            .at
+            .iter()
+            .filter(|other| other.y == at.y && other.x < at.x);
+        let before = before
+            .map(|other| other.x)
+            .fold(f64::NEG_INFINITY, f64::max);
+        let start = at.x - self.radius - gap - width;
+        (before + self.radius + gap <= start).then_some(DVec2::new(start, at.y))
     }
 }
 
