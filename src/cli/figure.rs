@@ -1,4 +1,5 @@
-//! `raystep figure`: one figure of a lesson, from its scene or from a saved log.
+//! `raystep figure`: one figure of a lesson, from its scene or from a saved log, as SVG, PNG or PDF; its stages as files, or
+//! as pages of one PDF.
 
 use std::fs::File;
 use std::io::BufReader;
@@ -99,14 +100,14 @@ fn of_lesson(args: &FigureArgs, name: &FigureName) -> Result<(), Error> {
     if !args.steps && !args.stages {
         taken.refuse(&args.output)?;
     }
-    // a format that is not there is refused before anything is traced
-    writer(args)?;
+    // an ending that names no format is refused before anything is traced
+    let format = Format::of(args)?;
     let traced = match source {
         Source::Log(log) => read_log(log)?,
         Source::Scene(loaded) => lesson.trace_loaded(&name.figure, spec, *loaded)?,
     };
     let draw = |how| Ok(drawn(lesson, spec, name, &traced, how)?);
-    write(args, taken, &traced, draw)
+    write(args, format, taken, &traced, draw)
 }
 
 /// A figure of a scene that no lesson knows.
@@ -127,7 +128,7 @@ fn of_scene(
     if !args.steps && !args.stages {
         taken.refuse(&args.output)?;
     }
-    writer(args)?;
+    let format = Format::of(args)?;
     let pixels = loaded.scene.camera.pixels;
     let outside = Error::PixelOutside { pixel, pixels };
     let [Ok(x), Ok(y)] = pixel.map(u32::try_from) else {
@@ -143,18 +144,20 @@ fn of_scene(
         let drawn = draw(&spec, &traced, &id, width, rendition);
         drawn.map_err(|error| Error::from(wrong_figure(&file, error)))
     };
-    write(args, taken, &traced, draw)
+    write(args, format, taken, &traced, draw)
 }
 
 /// Draws a figure as far as the options say, and writes it.
 fn write(
     args: &FigureArgs,
+    format: Format,
     taken: Taken,
     traced: &[Traced],
     drawn: impl Fn((Width, Rendition)) -> Result<Drawn, Error>,
 ) -> Result<(), Error> {
-    let write = writer(args)?;
-    let (width, rendition) = args.drawing.rendition();
+    let (width, mut rendition) = args.drawing.rendition();
+    // the programs that make PNG and PDF know no variables
+    rendition.standalone |= format != Format::Svg;
     let draw = |up_to| drawn((width, Rendition { up_to, ..rendition }));
     let step = args.step.map(UpTo::Step);
     let stage = args.stage.map(UpTo::Stage);
@@ -168,14 +171,21 @@ fn write(
                 .map(|stage| Some(UpTo::Stage(stage)))
                 .collect(),
         };
-        let files = numbered(&args.output, ends.len())?;
-        for (file, end) in files.into_iter().zip(ends) {
-            taken.refuse(&file)?;
-            let drawn = draw(end)?;
-            drawings.push((file, write(&drawn.svg)?));
+        let svgs: Result<Vec<String>, Error> =
+            ends.into_iter().map(|end| Ok(draw(end)?.svg)).collect();
+        let svgs = svgs?;
+        if format == Format::Pdf {
+            taken.refuse(&args.output)?;
+            drawings.push((args.output.clone(), raster::pdf(&svgs)?));
+        } else {
+            let files = numbered(&args.output, svgs.len())?;
+            for (file, svg) in files.into_iter().zip(svgs) {
+                taken.refuse(&file)?;
+                drawings.push((file, format.bytes(svg)?));
+            }
         }
     } else if !args.stages {
-        drawings.push((args.output.clone(), write(&whole.svg)?));
+        drawings.push((args.output.clone(), format.bytes(whole.svg.clone())?));
     }
 
     // nothing is written before all is drawn and every name is known to be free
@@ -227,20 +237,37 @@ fn read_log(path: &Path) -> Result<Vec<Traced>, Error> {
     Ok(Traced::read(&file, BufReader::new(log))?)
 }
 
-/// How a drawing becomes the bytes of the format that is asked for.
-type Format = fn(&str) -> Result<Vec<u8>, Error>;
+/// What a drawing is written as.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Format {
+    Svg,
+    Png,
+    Pdf,
+}
 
-fn writer(args: &FigureArgs) -> Result<Format, Error> {
-    let ending = args.output.extension();
-    let ends = |with: &str| ending.is_some_and(|ending| ending.eq_ignore_ascii_case(with));
-    if args.png || (!args.pdf && ends("png")) {
-        return Ok(raster::png);
+impl Format {
+    /// The one that is asked for, or that of the file's ending.
+    fn of(args: &FigureArgs) -> Result<Self, Error> {
+        let ending = args.output.extension();
+        let ends = |with: &str| ending.is_some_and(|ending| ending.eq_ignore_ascii_case(with));
+        if args.png || (!args.pdf && ends("png")) {
+            return Ok(Self::Png);
+        }
+        if args.pdf || ends("pdf") {
+            return Ok(Self::Pdf);
+        }
+        refuse_ending(&args.output, "a figure", &["svg", "png", "pdf"])?;
+        Ok(Self::Svg)
     }
-    if args.pdf || ends("pdf") {
-        return Ok(raster::pdf);
+
+    /// A drawing as a file of its own.
+    fn bytes(self, svg: String) -> Result<Vec<u8>, Error> {
+        match self {
+            Self::Svg => Ok(svg.into_bytes()),
+            Self::Png => raster::png(&svg),
+            Self::Pdf => raster::pdf(&[svg]),
+        }
     }
-    refuse_ending(&args.output, "a figure", &["svg", "png", "pdf"])?;
-    Ok(|svg| Ok(svg.as_bytes().to_vec()))
 }
 
 /// `F-1.svg`, `F-2.svg`, … with as many digits as the last needs.

@@ -86,7 +86,7 @@ pub(crate) struct FigureArgs {
     /// Draw the figure only up to this stage of its argument
     #[arg(long, value_name = "N", conflicts_with_all = ["steps", "stages"])]
     pub(crate) stage: Option<u32>,
-    /// Write a file for each stage of the figure's argument: F-1.svg, F-2.svg, …
+    /// Write a file for each stage of the figure's argument: F-1.svg, F-2.svg, …; or a PDF with a page for each
     #[arg(long)]
     pub(crate) steps: bool,
     /// Write no figure; print its stages, with what each says
