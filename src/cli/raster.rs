@@ -1,7 +1,7 @@
 //! Figures as PNG and PDF, where the program was built with the feature `raster`.
 
+#[cfg(not(feature = "raster"))]
 use crate::cli::Error;
-
 #[cfg(feature = "raster")]
 pub(crate) use with_raster::{pdf, png};
 
