@@ -28,6 +28,8 @@ pub(super) enum Of {
 /// What may become a stage of its own.
 struct Unit {
     of: Vec<Of>,
+    /// The place of its pixel, or path of light.
+    tree: usize,
     step: u32,
     name: StageName,
     sentence: String,
@@ -44,8 +46,14 @@ impl Argument {
 
     pub(super) fn new(figure: &Figure, sheet: &mut Sheet, drawn: &Drawn) -> Self {
         let mut units = units(figure, drawn);
-        // a child's events come between those of its ray
-        units.sort_by_key(|unit| unit.step);
+        // pixel after pixel, of which each counts its steps from the same one; in each of them a child's events come between
+        // those of its ray
+        units.sort_by_key(|unit| (unit.tree, unit.step));
+        let mut last = 0;
+        for unit in &mut units {
+            last = unit.step.max(last);
+            unit.step = last;
+        }
         let mut stages = BTreeMap::new();
         let each = units.len().div_ceil(Self::MOST).max(1);
         while !units.is_empty() {
@@ -73,9 +81,9 @@ impl Argument {
 fn units(figure: &Figure, drawn: &Drawn) -> Vec<Unit> {
     let mut units = Vec::new();
     let two_each = drawn.rays.len() <= Argument::TWO_EACH;
-    for (place, (section, node)) in drawn.rays.iter().enumerate() {
-        let (section, tree) = &drawn.trees[*section];
-        let node = &tree.rays[*node];
+    for (place, &(number, node)) in drawn.rays.iter().enumerate() {
+        let (section, tree) = &drawn.trees[number];
+        let node = &tree.rays[node];
         let records = section.records;
         let step = |at: usize| section.step(&records[at]);
         let [Some(start), Some(end)] = node.ends_at else {
@@ -89,6 +97,7 @@ fn units(figure: &Figure, drawn: &Drawn) -> Vec<Unit> {
         if two_each {
             units.push(Unit {
                 of: vec![Of::Starts(place)],
+                tree: number,
                 step: step(start),
                 name: words::name(node).into(),
                 sentence: words::of_start(figure, node, records),
@@ -100,6 +109,7 @@ fn units(figure: &Figure, drawn: &Drawn) -> Vec<Unit> {
             } else {
                 vec![Of::Starts(place), Of::Ends(place)]
             },
+            tree: number,
             step: ends,
             name: if two_each {
                 match node.start.map(|start| start.purpose) {
@@ -114,6 +124,7 @@ fn units(figure: &Figure, drawn: &Drawn) -> Vec<Unit> {
         if let Some(met) = surface::Met::shown(figure, records, node) {
             units.push(Unit {
                 of: vec![Of::Surface(place)],
+                tree: number,
                 step: section.step(met.record),
                 name: met.stage_name(),
                 sentence: met.stage_sentence(),
@@ -136,6 +147,7 @@ fn units(figure: &Figure, drawn: &Drawn) -> Vec<Unit> {
         };
         units.push(Unit {
             of: vec![Of::Colour(place)],
+            tree: place,
             step: section.step(record),
             name: Part::PixelColour.into(),
             sentence: format!("The pixel has the colour of {what}."),
