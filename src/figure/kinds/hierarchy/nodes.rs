@@ -205,7 +205,7 @@ impl Places {
         if left + width <= end {
             return Some(DVec2::new(left, at.y));
         }
-        // at its left, up to the node before
+        // at its left, up to the node before and the text at the right of that
         let before = self
             .at
             .iter()
@@ -214,7 +214,7 @@ impl Places {
             .map(|other| other.x)
             .fold(f64::NEG_INFINITY, f64::max);
         let start = at.x - self.radius - gap - width;
-        (before + self.radius + gap <= start).then_some(DVec2::new(start, at.y))
+        (before + self.radius + 2.0 * gap + width <= start).then_some(DVec2::new(start, at.y))
     }
 }
 
