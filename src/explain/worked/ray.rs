@@ -91,11 +91,13 @@ fn all_steps(context: &Context, steps: &[Told], course: &mut Course, page: &mut 
     while let Some((told, after)) = rest.split_first() {
         rest = after;
         step(context, told, course, page);
-        let Step::Test { test, .. } = &told.step else {
+        let is_miss = matches!(&told.step, Step::Test { test, .. } if test.hit().is_none());
+        // what follows is counted where it may be summed up: in full, it would be counted again at each of many misses
+        if !fold || !is_miss {
             continue;
-        };
+        }
         let (misses, length) = misses_at_start(rest);
-        if fold && test.hit().is_none() && LONGEST_UNFOLDED <= misses {
+        if LONGEST_UNFOLDED <= misses {
             // the first of the run was shown, the others are summed up
             let (run, after) = rest.split_at(length);
             let extent = Extent::around(run.iter().map(|told| told.extent));
