@@ -15,10 +15,11 @@
 //! 5. [`strategy`]: which objects a ray is tested against: every one (Fig. 15.56), or only those that a
 //!    structure leaves;
 //! 6. [`tracer`]: what a hit leads to: shadow rays, reflection, refraction; pixels and pictures;
-//! 7. [`explain`]: from events to words, and what each strategy costs;
-//! 8. [`figure`]: from events to the figures of a lecture; bars of costs and heat maps;
-//! 9. [`step`]: a log as a tree of steps, walked forwards and backwards, with the state at each;
-//! 10. [`lesson`]: the course's data, and the traces that its figures are drawn from.
+//! 7. [`mistake`]: what students write instead, each with a name and the right function's signature;
+//! 8. [`explain`]: from events to words, and what each strategy costs;
+//! 9. [`figure`]: from events to the figures of a lecture; bars of costs and heat maps;
+//! 10. [`step`]: a log as a tree of steps, walked forwards and backwards, with the state at each;
+//! 11. [`lesson`]: the course's data, and the traces that its figures are drawn from.
 //!
 //! These are the core: no file system, no clock, no threads but by the feature `threads`. Above it are `files` (the file
 //! system), `book` (the preprocessor for mdBook) and the command `raystep` (feature `cli`). What most programs need is at
@@ -72,6 +73,7 @@ pub mod figure;
 pub mod files;
 pub mod geometry;
 pub mod lesson;
+pub mod mistake;
 mod parallel;
 pub mod scene;
 pub mod step;

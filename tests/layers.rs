@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 use imports::{Modules, circle, program};
 
 /// From pure mathematics to the command line.
-const LAYERS: [&str; 14] = [
+const LAYERS: [&str; 15] = [
     "parallel",
     "geometry",
     "scene",
@@ -18,6 +18,7 @@ const LAYERS: [&str; 14] = [
     "trace",
     "strategy",
     "tracer",
+    "mistake",
     "explain",
     "figure",
     "step",
@@ -28,13 +29,14 @@ const LAYERS: [&str; 14] = [
 ];
 
 /// The layers that run anywhere: no file system, no clock, no threads of their own, no words of a command line.
-const CORE: [&str; 10] = [
+const CORE: [&str; 11] = [
     "geometry",
     "scene",
     "structure",
     "trace",
     "strategy",
     "tracer",
+    "mistake",
     "explain",
     "figure",
     "step",
@@ -55,6 +57,7 @@ const CRATES_OF: [(&str, &[&str]); 20] = [
             "trace",
             "strategy",
             "tracer",
+            "mistake",
             "explain",
             "figure",
             "step",
@@ -65,7 +68,14 @@ const CRATES_OF: [(&str, &[&str]); 20] = [
     ("itoa", &["trace"]),
     (
         "libm",
-        &["geometry", "scene", "structure", "explain", "figure"],
+        &[
+            "geometry",
+            "scene",
+            "structure",
+            "mistake",
+            "explain",
+            "figure",
+        ],
     ),
     ("memchr", &["scene", "trace"]),
     ("png", &["trace"]),

@@ -14,8 +14,8 @@ use raystep::{Off, Scene, Through, Tracer, Transport, load};
 /// Pixels to a side: so many that each scene's shadows, mirrors and glass are hit.
 const SIDE: u32 = 40;
 
-/// The lessons' scenes of up to 100 objects, and a real one, each with its name.
-fn scenes(depth: u32) -> Vec<(PathBuf, Scene)> {
+/// The files of the lessons' scenes.
+pub(crate) fn scene_files() -> Vec<PathBuf> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let lessons = std::fs::read_dir(root.join("lessons")).unwrap();
     let files = lessons.flat_map(|lesson| std::fs::read_dir(lesson.unwrap().path()).unwrap());
@@ -24,6 +24,14 @@ fn scenes(depth: u32) -> Vec<(PathBuf, Scene)> {
         path.extension().is_some_and(|end| end == "json") && !path.ends_with("lesson.json")
     };
     let mut files: Vec<PathBuf> = files.filter(is_scene).collect();
+    files.sort();
+    files
+}
+
+/// The lessons' scenes of up to 100 objects, and a real one, each with its name.
+fn scenes(depth: u32) -> Vec<(PathBuf, Scene)> {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let mut files = scene_files();
     files.push(root.join("tests/data/nff/balls-2.nff"));
     files.sort();
     let built = files.into_iter().map(|path| {

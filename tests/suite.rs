@@ -11,6 +11,7 @@ mod figures;
 mod grid_exact;
 mod index;
 mod layers;
+mod mistakes;
 mod mutations;
 mod polygon_exact;
 mod polygon_tilings;

@@ -44,7 +44,7 @@ impl Axis {
 
     /// The axis along which a vector is shortest; the first of equals.
     #[inline]
-    pub(super) fn of_smallest(v: DVec3) -> Self {
+    pub(crate) fn of_smallest(v: DVec3) -> Self {
         let [x, y, z] = v.abs().to_array();
         if x <= y && x <= z {
             Self::X

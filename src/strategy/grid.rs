@@ -41,7 +41,7 @@ pub(super) fn walked(range: TRange) -> TRange {
 /// Does a nearest hit lie before the end of a cell, so that no later cell can hold a nearer one?
 ///
 /// Equal t does not end the walk: of two such hits the object first in the scene wins.
-pub(super) fn is_passed(nearest: f64, t_out: f64) -> bool {
+pub(crate) fn is_passed(nearest: f64, t_out: f64) -> bool {
     nearest * (1.0 + TOLERANCE) < t_out
 }
 

@@ -27,6 +27,8 @@ pub use bounds::BoundedObjects;
 pub(crate) use by_name::Chosen;
 pub use exhaustive::Exhaustive;
 pub use grid::UniformGrid;
+#[cfg(test)]
+pub(crate) use grid::is_passed;
 pub use heap::HeapOrdered;
 pub use hierarchy::DepthFirst;
 pub use nearest::{AnyHit, Hit, NearestSoFar, Search};

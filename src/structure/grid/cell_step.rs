@@ -39,7 +39,7 @@ pub enum Across {
 
 impl Across {
     /// By the bits 1 for x, 2 for y, 4 for z.
-    pub(in crate::structure) const BY_BITS: [Self; 8] = [
+    pub(crate) const BY_BITS: [Self; 8] = [
         Self::None,
         Self::X,
         Self::Y,
