@@ -3,6 +3,7 @@
 
 mod by_hand;
 mod filtered;
+mod questions;
 mod state;
 mod targets;
 mod walks;

@@ -53,8 +53,8 @@ pub(crate) fn run(args: &StepArgs, matches: &ArgMatches) -> Result<(), Error> {
                 return Ok(());
             };
             let cursor = at.map_or(cursor, |step| Cursor::at(&log, step));
-            let mut face = Face::new(&log, cursor, session.filter.clone());
-            face.show(&mut session.out)?;
+            let mut face = Face::new(&log, cursor, session.filter.clone(), session.predicts);
+            face.arrive(&mut session.out)?;
             let next = loop {
                 let Some(command) = input.next(&mut session.out)? else {
                     return session.out.finish();
@@ -70,6 +70,7 @@ pub(crate) fn run(args: &StepArgs, matches: &ArgMatches) -> Result<(), Error> {
                 }
             };
             session.filter = face.filter;
+            session.predicts = face.predicts;
             let other = StepLog::new(&next.scene, &next.settings, &next.records);
             let place = same_place(&log, face.cursor.here, &other);
             (next, place)
@@ -87,6 +88,8 @@ struct Session<'a> {
     is_scene: bool,
     max_rays: u64,
     filter: Option<Filter>,
+    /// Are questions asked?
+    predicts: bool,
     words: Words,
     out: Output,
 }
@@ -117,6 +120,7 @@ impl<'a> Session<'a> {
             is_scene,
             max_rays,
             filter: None,
+            predicts: args.predict,
             words: Words::new(args, matches, pixel, strategy),
             out: Output::standard(),
         };

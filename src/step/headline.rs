@@ -15,8 +15,18 @@ pub fn headline(log: &StepLog, number: usize) -> String {
     if step.is_fold() {
         return of_fold(log, step);
     }
+    let what = subject(log, number);
+    match step.became {
+        None => what,
+        Some(became) => format!("{what}: {}", became.text()),
+    }
+}
+
+/// What a step is about, in one line without its verdict: `A: sphere`. A fold is named by its first member.
+pub fn subject(log: &StepLog, number: usize) -> String {
+    let step = log.step(number);
     let record = &log.records[step.lead];
-    let what = match step.level {
+    match step.level {
         Level::Section => of_section(record),
         Level::Ray => {
             let start = match &record.event {
@@ -28,10 +38,6 @@ pub fn headline(log: &StepLog, number: usize) -> String {
         }
         _ if step.is_leaf() && step.level == Level::Term => of_event(log.scene, record),
         _ => of_group(log.scene, record),
-    };
-    match step.became {
-        None => what,
-        Some(became) => format!("{what}: {}", became.text()),
     }
 }
 

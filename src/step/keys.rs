@@ -31,6 +31,12 @@ pub enum Command {
     Strategy,
     /// The pixel beside.
     Pixel(Shift),
+    /// Questions are asked before verdicts, or no more.
+    Predict,
+    /// The choice of a question, from 0.
+    Answer(usize),
+    /// No answer: the step is shown.
+    Skip,
     /// All that is known here.
     View,
     /// The command that leads here.
@@ -244,6 +250,22 @@ pub const KEYS: &[Key] = &[
         ["pixel-up", "shift+up"],
         "pixel above",
         Command::Pixel(Shift::Up)
+    ),
+    key!(
+        "p",
+        ["p", "predict"],
+        "predict: ask before a verdict is shown, or no more",
+        Command::Predict
+    ),
+    key!("a", ["a"], "first choice of a question", Command::Answer(0)),
+    key!("b", ["b"], "second choice", Command::Answer(1)),
+    key!("c", ["c"], "third choice", Command::Answer(2)),
+    key!("d", ["d"], "fourth choice", Command::Answer(3)),
+    key!(
+        "Esc",
+        ["skip", "esc"],
+        "no answer: show the step",
+        Command::Skip
     ),
     key!(
         "v",

@@ -17,11 +17,12 @@
 //!                     ├─ interest, filter   the targets: by themselves, or what a reader asks for
 //!                     ├─ change, who        what a step changed, old → new; which step set a quantity
 //!                     ├─ address, same      a step by the log's number; the same place in another log
+//!                     ├─ question  what a step asks before it shows its verdict, with choices and reasons
 //!                     └─ words, headline    the lines of `explain` that tell a step, and its title
 //! keys      the moves by their keys and words: one table for every face
 //! ```
 //!
-//! Nothing here traces, reads or writes. What a step asks before it shows its verdict is not here yet.
+//! Nothing here traces, reads or writes.
 
 mod address;
 mod builder;
@@ -35,6 +36,7 @@ mod interest;
 mod keys;
 mod level;
 mod quantity;
+mod question;
 mod same;
 mod setter;
 mod state;
@@ -53,11 +55,12 @@ pub use address::{Address, AddressError};
 pub use change::Change;
 pub use cursor::{Cursor, Grain, Move};
 pub use filter::{Filter, FilterError};
-pub use headline::headline;
+pub use headline::{headline, subject};
 pub use interest::Interest;
 pub use keys::{Command, CommandError, KEYS, Key, PAGE, Shift, commands};
 pub use level::Level;
 pub use quantity::{Held, Quantity, Value};
+pub use question::{Asks, Choice, Question};
 pub use same::same_place;
 pub use state::{RayState, State};
 pub use step::Step;

@@ -6,6 +6,7 @@
 use std::collections::BTreeMap;
 
 use crate::explain::Section;
+use crate::geometry::SlabRay;
 use crate::step::quantity::{Changed, Held, Quantity, Value};
 use crate::step::setter::{Setter, take_search, take_shade};
 use crate::structure::SlabStep;
@@ -183,6 +184,12 @@ impl State {
 }
 
 impl RayState {
+    /// S and T of a slab, if they are known.
+    pub(in crate::step) fn slab_line(&self, slab: u32) -> Option<SlabRay> {
+        let line = self.slab_rays.iter().find(|line| line.slab == slab);
+        line.map(RaySlab::line)
+    }
+
     fn setter<'a>(&'a mut self, by: usize, changed: &'a mut Changed) -> Setter<'a> {
         Setter {
             quantities: &mut self.quantities,

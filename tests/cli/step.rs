@@ -319,3 +319,70 @@ fn a_hostile_name_stays_text() {
         "{text}"
     );
 }
+
+#[test]
+fn a_question_comes_before_the_verdict_and_its_answer_has_a_reason_for_every_choice() {
+    let folder = Folder::with_scene();
+    let run = |script: &str| {
+        let mut command = folder.command("step scene.json 80,60 --predict --script");
+        let ran: Ran = command.arg(script).output().unwrap().into();
+        text(ran)
+    };
+    // A has two roots, of which the smaller one counts
+    let asked = run("into over into over");
+    let (_, question) = asked
+        .split_once("\nA: sphere\ntest, steps 2 to 3 of ")
+        .unwrap();
+    assert!(
+        question.contains("\nquestion: A: The roots are t = 5.00028 and t = "),
+        "{asked}"
+    );
+    assert!(
+        question.ends_with("\nanswer with a letter, or skip\n"),
+        "{asked}"
+    );
+    assert!(
+        !asked.contains("A: sphere: hit") && !asked.contains("nearest hit"),
+        "{asked}"
+    );
+    let right = question
+        .lines()
+        .find(|line| line.ends_with(": t = 5.00028"));
+    let right = right.unwrap().chars().next().unwrap();
+    // each letter is told whether it is right, and then the step is shown
+    for letter in ['a', 'b', 'c'] {
+        let answered = run(&format!("into over into over {letter}"));
+        let verdict = if letter == right {
+            format!("\nright: {right}\n")
+        } else {
+            format!("\nwrong: {letter}; {right} is right\n")
+        };
+        assert!(answered.contains(&verdict), "{answered}");
+        let reasons = ["a", "b", "c"].map(|of| {
+            let line = answered
+                .lines()
+                .find(|line| line.starts_with(&format!("{of} is ")));
+            line.unwrap().len()
+        });
+        assert!(reasons.iter().all(|length| 20 < *length), "{answered}");
+        assert!(answered.contains("Mistake \"largest root\""), "{answered}");
+        assert!(answered.ends_with("holds 2 steps\n"), "{answered}");
+        assert!(answered.contains("\nA: sphere: hit\n"), "{answered}");
+    }
+    // skipped, it is shown without a verdict on anybody; gone on from, it is not shown
+    let skipped = run("into over into over skip");
+    assert!(skipped.contains("\nA: sphere: hit\n") && !skipped.contains("\nright: "));
+    let left = run("into over into over over");
+    assert!(!left.contains("\nA: sphere: hit\n"), "{left}");
+    // there are three choices, and without a question a letter is told so
+    assert!(run("into over into over d").contains("\nthe question has no such choice\n"));
+    assert!(run("a").ends_with("\nno question waits for an answer\n"));
+    // p turns them off and on, and the state would give the answer away
+    let off = run("p into over into over p over v");
+    assert!(off.contains("\nno more questions are asked\n"), "{off}");
+    assert!(off.contains("\nA: sphere: hit\n"), "{off}");
+    assert!(
+        off.ends_with("\nanswer the question, or skip it\n"),
+        "{off}"
+    );
+}

@@ -14,6 +14,7 @@ use crate::cli::args::{Reading, Tracing};
   raystep step scene.json 80,60
   raystep step scene.json 80,60 --strategy grid --script \"into over into n n w t\"
   raystep step part.jsonl 80,60 --at 37
+  raystep step scene.json 80,60 --predict
 
 The command ? lists all commands.")]
 pub(crate) struct StepArgs {
@@ -28,6 +29,9 @@ pub(crate) struct StepArgs {
     /// Do these commands and end, as in \"into n n w t\"
     #[arg(long, value_name = "COMMANDS")]
     pub(crate) script: Option<String>,
+    /// Ask a question before a verdict is shown; the answer is a letter, or skip
+    #[arg(long)]
+    pub(crate) predict: bool,
     /// Begin at a step by its number in the log: 37, or #path17:37 on a path of light
     #[arg(long, value_name = "STEP")]
     pub(crate) at: Option<Address>,

@@ -6,8 +6,8 @@ use raystep::Page;
 use raystep::explain::{Tone, render};
 use raystep::scene::printable;
 use raystep::step::{
-    Asked, Command, Cursor, Filter, Interest, KEYS, Level, Move, PAGE, Shift, StepLog, StepWords,
-    headline,
+    Asked, Command, Cursor, Filter, Interest, KEYS, Level, Move, PAGE, Question, Shift, StepLog,
+    StepWords, headline, subject,
 };
 
 use crate::cli::Error;
@@ -34,17 +34,31 @@ pub(crate) struct Face<'a, 'l> {
     told: StepWords<'l>,
     pub(crate) cursor: Cursor,
     pub(crate) filter: Option<Filter>,
+    /// Are questions asked?
+    pub(crate) predicts: bool,
+    /// The question that waits for an answer.
+    asked: Option<Question>,
     targets: Vec<usize>,
 }
 
+/// The letters of the choices.
+const LETTERS: [char; 4] = ['a', 'b', 'c', 'd'];
+
 impl<'a, 'l> Face<'a, 'l> {
     /// At a step of a log.
-    pub(crate) fn new(log: &'a StepLog<'l>, cursor: Cursor, filter: Option<Filter>) -> Self {
+    pub(crate) fn new(
+        log: &'a StepLog<'l>,
+        cursor: Cursor,
+        filter: Option<Filter>,
+        predicts: bool,
+    ) -> Self {
         let mut face = Self {
             log,
             told: StepWords::new(log),
             cursor,
             filter: None,
+            predicts,
+            asked: None,
             targets: Vec::new(),
         };
         face.choose(filter);
@@ -109,6 +123,27 @@ impl<'a, 'l> Face<'a, 'l> {
                 let there = self.cursor.at_level(self.log, level);
                 self.go(Some(there), "", out)?;
             }
+            Command::Predict => {
+                self.predicts = !self.predicts;
+                say(
+                    if self.predicts {
+                        "questions are asked before verdicts"
+                    } else {
+                        "no more questions are asked"
+                    },
+                    out,
+                )?;
+                if !self.predicts && self.asked.take().is_some() {
+                    self.show(out)?;
+                }
+            }
+            Command::Answer(choice) => self.answer(choice, out)?,
+            Command::Skip => match self.asked.take() {
+                Some(_) => self.show(out)?,
+                None => say("no question waits for an answer", out)?,
+            },
+            // the state after the step would give the answer away
+            Command::View if self.asked.is_some() => say("answer the question, or skip it", out)?,
             Command::View => self.view(out)?,
             Command::Address => {
                 let at = self.log.step(self.cursor.here).events.start;
@@ -143,7 +178,7 @@ impl<'a, 'l> Face<'a, 'l> {
         match to {
             Some(there) => {
                 self.cursor = there;
-                self.show(out)
+                self.arrive(out)
             }
             None => say(none, out),
         }
@@ -164,6 +199,51 @@ impl<'a, 'l> Face<'a, 'l> {
         say(&text, out)?;
         let there = Cursor::at(self.log, self.log.landing(setter.event));
         self.go(Some(there), "", out)
+    }
+
+    /// The question of the step, if questions are asked and it has one; or the step.
+    pub(crate) fn arrive(&mut self, out: &mut Output) -> Result<(), Error> {
+        self.asked = None;
+        let here = self.cursor.here;
+        let asked = self.log.question(here).filter(|_| self.predicts);
+        let Some(question) = asked else {
+            return self.show(out);
+        };
+        let mut text = format!("\n{}\n{}", subject(self.log, here), self.place());
+        text.push_str(&format!("question: {}\n", question.text));
+        for (letter, choice) in LETTERS.iter().zip(&question.choices) {
+            text.push_str(&format!("{letter}: {}\n", choice.text));
+        }
+        text.push_str("answer with a letter, or skip\n");
+        self.asked = Some(question);
+        write(&text, out)
+    }
+
+    /// Right or wrong, why each choice is so, and then the step.
+    fn answer(&mut self, choice: usize, out: &mut Output) -> Result<(), Error> {
+        let Some(question) = self.asked.take() else {
+            return say("no question waits for an answer", out);
+        };
+        if question.choices.len() <= choice {
+            self.asked = Some(question);
+            return say("the question has no such choice", out);
+        }
+        let right = LETTERS[question.right];
+        let mut text = if choice == question.right {
+            format!("right: {right}\n")
+        } else {
+            format!("wrong: {}; {right} is right\n", LETTERS[choice])
+        };
+        for (place, of) in question.choices.iter().enumerate() {
+            let word = if place == question.right {
+                "right"
+            } else {
+                "wrong"
+            };
+            text.push_str(&format!("{} is {word}: {}\n", LETTERS[place], of.reason));
+        }
+        write(&text, out)?;
+        self.show(out)
     }
 
     /// The step: its title, where it is, its words, and what it changed.
