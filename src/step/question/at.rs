@@ -89,17 +89,24 @@ impl<'a, 'l> At<'a, 'l> {
 
     /// `t counts from 0 to 7.92, the nearest hit so far`
     pub(super) fn range_text(&self, range: TRange) -> String {
-        let from = if range.min <= 0.0 {
-            "above 0".to_owned()
+        let is_start = range.min <= 0.0;
+        let from = if is_start {
+            "0".to_owned()
         } else {
-            format!("from ε = {}", number(range.min))
+            format!("ε = {}", number(range.min))
         };
         match self.nearest() {
             Some((_, t)) if t <= range.max => {
-                format!("t counts {from} to {}, the nearest hit so far", number(t))
+                format!(
+                    "t counts from {from} to {}, the nearest hit so far",
+                    number(t)
+                )
             }
-            _ if range.max < f64::INFINITY => format!("t counts {from} to {}", number(range.max)),
-            _ => format!("t counts {from} on"),
+            _ if range.max < f64::INFINITY => {
+                format!("t counts from {from} to {}", number(range.max))
+            }
+            _ if is_start => "every t above 0 counts".into(),
+            _ => format!("every t from {from} on counts"),
         }
     }
 }

@@ -141,15 +141,17 @@ pub(super) fn inside(at: &At, object: PrimitiveId, test: &PolygonTest) -> Option
              That is not so for {crossings}."
         )
     };
-    for crossings in [
+    let others = [
         Some(test.crossings + 1),
         test.crossings.checked_sub(1),
         Some(test.crossings + 2),
-    ] {
-        if let Some(crossings) = crossings {
-            wrong.push(Choice::new(text_of(crossings), reason(crossings)));
-        }
-    }
+    ];
+    wrong.extend(
+        others
+            .into_iter()
+            .flatten()
+            .map(|crossings| Choice::new(text_of(crossings), reason(crossings))),
+    );
     let corners: Vec<String> = corners
         .iter()
         .map(|corner| format!("({}, {})", number(corner.x), number(corner.y)))

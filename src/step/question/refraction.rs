@@ -56,7 +56,7 @@ pub(super) fn total(at: &At, of: &Refraction) -> Option<Question> {
     let plain = 1.0 - plain * sine_squared;
     let not_squared = Choice::new(
         text_of(plain),
-        format!("Here n₁/n₂ is not squared: cos²θ₂ = 1 − (n₁/n₂)²·sin²θ₁."),
+        "Here n₁/n₂ is not squared: cos²θ₂ = 1 − (n₁/n₂)²·sin²θ₁.",
     );
     let as_it_was = Choice::new(
         text_of(cos_incident * cos_incident),

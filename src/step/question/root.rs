@@ -1,6 +1,8 @@
 //! The roots of a sphere, an ellipsoid, a cone or a box: how many, and which one counts.
 
-use crate::geometry::{BoxTest, QuadraticTest, RootVerdict, Roots, Sides, TRange, verdict_of};
+use crate::geometry::{
+    BoxTest, QuadraticTest, Root, RootVerdict, Roots, Sides, TRange, verdict_of,
+};
 use crate::mistake::{Wrong, mistakes};
 use crate::scene::{PrimitiveId, Shape};
 use crate::step::question::at::{At, alike, number};
@@ -45,7 +47,7 @@ fn how_many(at: &At, object: PrimitiveId, test: &QuadraticTest) -> Option<Questi
         "two",
     ];
     let count = roots.iter().count();
-    let sign = ["below 0", "0", "above 0"];
+    let needed = ["below 0", "equal to 0", "above 0"];
     let found = format!(
         "b² − 4ac = {} − {} = {}",
         number(square),
@@ -58,12 +60,9 @@ fn how_many(at: &At, object: PrimitiveId, test: &QuadraticTest) -> Option<Questi
     );
     let choice = |roots: usize| {
         let reason = if roots == count {
-            format!("{found} is {}.", sign[roots])
+            format!("{found}, which is {}.", needed[roots])
         } else {
-            format!(
-                "That needs b² − 4ac {}, but {found}.",
-                sign[roots].replace("0", if roots == 1 { "= 0" } else { "0" })
-            )
+            format!("That needs b² − 4ac {}, but {found}.", needed[roots])
         };
         Choice::new(texts[roots], reason)
     };
@@ -132,31 +131,7 @@ fn which(at: &At, object: PrimitiveId, roots: &Roots) -> Option<Question> {
         None if all.len() == 1 => "it does not count: the ray misses".into(),
         None => "neither: the ray misses".into(),
     };
-    let reason_of = |t: f64, verdict: RootVerdict| {
-        let t = number(t);
-        match verdict {
-            RootVerdict::Chosen => format!("t = {t} is the smallest root that counts."),
-            RootVerdict::Behind => format!("t = {t} lies behind the origin of the ray."),
-            RootVerdict::BelowEpsilon => {
-                format!("t = {t} is the surface that the ray starts on: it is below ε.")
-            }
-            RootVerdict::BeyondNearest if chosen.is_some() => {
-                format!(
-                    "At t = {t} the ray leaves the surface; the other root counts and comes first."
-                )
-            }
-            RootVerdict::BeyondNearest => {
-                format!("t = {t} lies beyond the end of the t that count.")
-            }
-            RootVerdict::BackFace => {
-                format!("At t = {t} the ray hits the back, and only the front can be seen.")
-            }
-            RootVerdict::FrontFace => {
-                format!("At t = {t} the ray hits the front, and only the back can be seen.")
-            }
-            RootVerdict::BeyondEnds => format!("t = {t} lies beyond base and apex."),
-        }
-    };
+    let reason_of = |root: &Root| reason(*root, chosen.is_some());
     let by_mistake = |t: Option<f64>, choice: Choice| {
         let made = mistakes().find(|mistake| match (&mistake.wrong, &primitive.shape) {
             (Wrong::Root(wrong), Shape::Sphere(sphere)) => {
@@ -175,17 +150,14 @@ fn which(at: &At, object: PrimitiveId, roots: &Roots) -> Option<Question> {
     let mut choices: Vec<Choice> = Vec::new();
     let mut right = None;
     for root in &all {
-        let choice = Choice::new(text_of(Some(root.t)), reason_of(root.t, root.verdict));
+        let choice = Choice::new(text_of(Some(root.t)), reason_of(root));
         if root.verdict == RootVerdict::Chosen {
             right = Some(choice);
         } else {
             choices.push(by_mistake(Some(root.t), choice));
         }
     }
-    let reasons: Vec<String> = all
-        .iter()
-        .map(|root| reason_of(root.t, root.verdict))
-        .collect();
+    let reasons: Vec<String> = all.iter().map(reason_of).collect();
     let right = match chosen {
         None => Choice::new(text_of(None), reasons.join(" ")),
         Some(t) => {
@@ -212,4 +184,27 @@ fn which(at: &At, object: PrimitiveId, roots: &Roots) -> Option<Question> {
         at.range_text(range)
     );
     Question::new(Asks::RootThatCounts, text, at.step(), right, choices)
+}
+
+/// Why a root is the hit or not.
+fn reason(Root { t, verdict }: Root, other_counts: bool) -> String {
+    let t = number(t);
+    match verdict {
+        RootVerdict::Chosen => format!("t = {t} is the smallest root that counts."),
+        RootVerdict::Behind => format!("t = {t} lies behind the origin of the ray."),
+        RootVerdict::BelowEpsilon => {
+            format!("t = {t} is the surface that the ray starts on: it is below ε.")
+        }
+        RootVerdict::BeyondNearest if other_counts => {
+            format!("At t = {t} the ray leaves the surface; the other root counts and comes first.")
+        }
+        RootVerdict::BeyondNearest => format!("t = {t} lies beyond the end of the t that count."),
+        RootVerdict::BackFace => {
+            format!("At t = {t} the ray hits the back, and only the front can be seen.")
+        }
+        RootVerdict::FrontFace => {
+            format!("At t = {t} the ray hits the front, and only the back can be seen.")
+        }
+        RootVerdict::BeyondEnds => format!("t = {t} lies beyond base and apex."),
+    }
 }
