@@ -91,9 +91,10 @@ pub(crate) fn around_rays(traced: &Traced, with_window: bool) -> Option<(DVec3, 
         camera.right + camera.up,
     ];
     let window = sides.map(|side| [corner + side; 2]);
-    let rays = match with_window {
-        true => window.into_iter().fold(rays, union),
-        false => rays,
+    let rays = if with_window {
+        window.into_iter().fold(rays, union)
+    } else {
+        rays
     };
     let length = rays[0].distance(rays[1]);
     let near = near(&traced.scene, &traced.records);

@@ -70,11 +70,15 @@ fn hit(kind: FigureKind, traced: &Traced) -> Option<String> {
             _ => None,
         })?;
     let id = end.object?;
-    let is_drawn = match (kind, &traced.scene.primitive(id).shape) {
-        (FigureKind::Sphere, Shape::Sphere(_)) | (FigureKind::Polygon, Shape::Polygon(_)) => true,
-        (FigureKind::Volumes | FigureKind::Slabs | FigureKind::Intervals, _) => true,
-        _ => false,
-    };
+    let is_drawn = matches!(
+        (kind, &traced.scene.primitive(id).shape),
+        (FigureKind::Sphere, Shape::Sphere(_))
+            | (FigureKind::Polygon, Shape::Polygon(_))
+            | (
+                FigureKind::Volumes | FigureKind::Slabs | FigureKind::Intervals,
+                _
+            )
+    );
     is_drawn.then(|| traced.scene.object_of(id).name.to_string())
 }
 
