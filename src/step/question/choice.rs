@@ -149,3 +149,42 @@ fn spread(mut bits: u32) -> u32 {
     bits = bits.wrapping_mul(0xc2b2_ae35);
     bits ^ (bits >> 16)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn asked(step: u32, wrong: &[&str]) -> Option<Question> {
+        let choice = |text: &str| Choice::new(text, "Because.");
+        let wrong = wrong.iter().map(|text| choice(text));
+        Question::new(Asks::Bound, "Which?".into(), step, choice("right"), wrong)
+    }
+
+    #[test]
+    fn a_choice_that_is_like_another_is_left_out_and_so_are_more_than_four() {
+        let question = asked(7, &["one", "right", "one", "two", "three", "four"]).unwrap();
+        let mut texts: Vec<&str> = question.choices.iter().map(|of| of.text.as_str()).collect();
+        assert_eq!(texts.remove(question.right), "right");
+        assert_eq!(texts, ["one", "two", "three"]);
+        assert_eq!(asked(7, &["right"]), None);
+        assert_eq!(asked(7, &[]), None);
+    }
+
+    #[test]
+    fn the_right_choice_stands_at_each_place_about_as_often() {
+        let mut places = [0; 4];
+        for step in 0..4000 {
+            let question = asked(step, &["one", "two", "three"]).unwrap();
+            assert_eq!(
+                asked(step, &["one", "two", "three"]).as_ref(),
+                Some(&question)
+            );
+            places[question.right] += 1;
+        }
+        // a thousand each, and some four times √750 beside it
+        assert!(
+            places.iter().all(|of| (890..1110).contains(of)),
+            "{places:?}"
+        );
+    }
+}
