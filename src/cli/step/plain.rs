@@ -205,16 +205,22 @@ impl<'a, 'l> Face<'a, 'l> {
     pub(crate) fn arrive(&mut self, out: &mut Output) -> Result<(), Error> {
         self.asked = None;
         let here = self.cursor.here;
-        let asked = self.log.question(here).filter(|_| self.predicts);
+        let asked = self.predicts.then(|| self.log.question(here)).flatten();
         let Some(question) = asked else {
             return self.show(out);
         };
-        let mut text = format!("\n{}\n{}", subject(self.log, here), self.place());
-        text.push_str(&format!("question: {}\n", question.text));
-        for (letter, choice) in LETTERS.iter().zip(&question.choices) {
-            text.push_str(&format!("{letter}: {}\n", choice.text));
-        }
-        text.push_str("answer with a letter, or skip\n");
+        let choices: String = LETTERS
+            .iter()
+            .zip(&question.choices)
+            .fold(String::new(), |text, (letter, choice)| {
+                text + &format!("{letter}: {}\n", choice.text)
+            });
+        let text = format!(
+            "\n{}\n{}question: {}\n{choices}answer with a letter, or skip\n",
+            subject(self.log, here),
+            self.place(),
+            question.text
+        );
         self.asked = Some(question);
         write(&text, out)
     }
@@ -229,19 +235,20 @@ impl<'a, 'l> Face<'a, 'l> {
             return say("the question has no such choice", out);
         }
         let right = LETTERS[question.right];
-        let mut text = if choice == question.right {
+        let verdict = if choice == question.right {
             format!("right: {right}\n")
         } else {
             format!("wrong: {}; {right} is right\n", LETTERS[choice])
         };
-        for (place, of) in question.choices.iter().enumerate() {
+        let choices = question.choices.iter().enumerate();
+        let text = choices.fold(verdict, |text, (place, of)| {
             let word = if place == question.right {
                 "right"
             } else {
                 "wrong"
             };
-            text.push_str(&format!("{} is {word}: {}\n", LETTERS[place], of.reason));
-        }
+            text + &format!("{} is {word}: {}\n", LETTERS[place], of.reason)
+        });
         write(&text, out)?;
         self.show(out)
     }
