@@ -107,7 +107,7 @@ fn of_lesson(args: &FigureArgs, name: &FigureName) -> Result<(), Error> {
         Source::Scene(loaded) => lesson.trace_loaded(&name.figure, spec, *loaded)?,
     };
     let draw = |how| Ok(drawn(lesson, spec, name, &traced, how)?);
-    write(args, format, taken, &traced, draw)
+    write(args, format, &taken, &traced, draw)
 }
 
 /// A figure of a scene that no lesson knows.
@@ -144,14 +144,14 @@ fn of_scene(
         let drawn = draw(&spec, &traced, &id, width, rendition);
         drawn.map_err(|error| Error::from(wrong_figure(&file, error)))
     };
-    write(args, format, taken, &traced, draw)
+    write(args, format, &taken, &traced, draw)
 }
 
 /// Draws a figure as far as the options say, and writes it.
 fn write(
     args: &FigureArgs,
     format: Format,
-    taken: Taken,
+    taken: &Taken,
     traced: &[Traced],
     drawn: impl Fn((Width, Rendition)) -> Result<Drawn, Error>,
 ) -> Result<(), Error> {
@@ -197,7 +197,7 @@ fn write(
         log.finish()?;
     }
     for (file, drawing) in drawings {
-        Output::create(&file, &taken)?.write_whole(&drawing)?;
+        Output::create(&file, taken)?.write_whole(&drawing)?;
     }
     if args.stages {
         Output::standard().write_whole(list_of_stages(&whole.stages).as_bytes())?;
