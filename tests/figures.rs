@@ -204,6 +204,112 @@ fn a_figure_up_to_its_last_step_is_the_whole_figure_and_each_step_adds_something
     }
 }
 
+/// The groups of a drawing: the stage and the step since which each is there, and its elements.
+fn groups_of<'a>(document: &'a Document) -> Vec<(Option<u32>, Option<u32>, Node<'a, 'a>)> {
+    let groups = document.root_element().children();
+    let groups = groups.filter(|node| node.has_tag_name("g"));
+    let number = |node: &Node, key: &str| Some(node.attribute(key)?.parse().unwrap());
+    let group = |node: Node<'a, 'a>| {
+        (
+            number(&node, "data-stage"),
+            number(&node, "data-step"),
+            node,
+        )
+    };
+    groups.map(group).collect()
+}
+
+#[test]
+fn every_figure_argues_in_a_few_stages_that_tell_no_later_step() {
+    let mut all = 0;
+    for (name, spec, traced) in traced() {
+        let draw_it = |up_to| {
+            let rendition = Rendition {
+                up_to,
+                ..Rendition::default()
+            };
+            draw(spec, traced, ID, Width::Book, rendition).unwrap()
+        };
+        let whole = draw_it(None);
+        let count = whole.stages.len();
+        assert!((1..=12).contains(&count), "{name}: {count} stages");
+        let mut before = None;
+        for stage in &whole.stages {
+            assert!(!stage.name.is_empty(), "{name}");
+            let sentence = stage.sentence.as_str();
+            assert!(
+                sentence.ends_with('.') && !sentence.contains('\n'),
+                "{name}: {sentence}"
+            );
+            // the steps that the stages need do not fall
+            assert!(before <= stage.step, "{name}: {sentence}");
+            before = stage.step;
+        }
+        // what belongs to a stage is made by no later step than the stage needs
+        let document = Document::parse(&whole.svg).unwrap();
+        for (stage, step, _) in groups_of(&document) {
+            let Some(stage) = stage else { continue };
+            let needs = whole.stages[stage as usize - 1].step;
+            assert!(
+                step <= needs,
+                "{name}: step {step:?} in stage {stage}, which needs {needs:?}"
+            );
+        }
+        // each stage tells more than the one before, and the last one is the whole
+        let mut last = String::new();
+        for stage in 1..=count as u32 {
+            let drawn = draw_it(Some(UpTo::Stage(stage)));
+            assert!(!drawn.description.is_empty(), "{name}");
+            let shown = drawn.svg.split_once("<g").unwrap().1.to_owned();
+            assert!(
+                last.len() < shown.len() || count == 1,
+                "{name}: nothing new at stage {stage}"
+            );
+            last = shown;
+            all += 1;
+        }
+        let shown = whole.svg.split_once("<g").unwrap().1;
+        if spec.step.is_none() {
+            assert_eq!(last, shown, "{name}: the last stage is not the whole");
+        }
+    }
+    // hundreds of stages, not thousands
+    assert!((150..700).contains(&all), "{all}");
+}
+
+#[test]
+fn the_colour_of_the_answer_comes_in_no_first_stage() {
+    for (name, spec, traced) in traced() {
+        let whole = draw(spec, traced, ID, Width::Book, Rendition::default()).unwrap();
+        if whole.stages.len() < 3 {
+            continue;
+        }
+        let document = Document::parse(&whole.svg).unwrap();
+        let early = groups_of(&document)
+            .into_iter()
+            .filter(|(stage, ..)| stage.is_none_or(|stage| stage == 1));
+        for (.., group) in early {
+            let coloured = group.descendants().find(|node| {
+                let class = node.attribute("class").unwrap_or_default();
+                // a legend may say what the colour means
+                class.contains("_answer-") && !class.contains("_answer-area")
+            });
+            assert!(coloured.is_none(), "{name}: {coloured:?}");
+        }
+    }
+}
+
+#[test]
+fn no_figure_is_larger_than_80_kb() {
+    for (name, spec, traced) in traced() {
+        for (width, rendition) in ways() {
+            let drawn = draw(spec, traced, ID, width, rendition).unwrap();
+            let kilobytes = drawn.svg.len() as f64 / 1000.0;
+            assert!(kilobytes <= 80.0, "{name} {width:?}: {kilobytes} kB");
+        }
+    }
+}
+
 #[test]
 fn every_kind_of_figure_is_in_a_lesson() {
     let schema = lesson_schema();
