@@ -1,6 +1,6 @@
 //! What of a line lies behind a solid or a polygon, as a drawing in space shows it: solid in front, dotted behind.
 //!
-//! A point is hidden if a ray from it towards who looks hits something. So the drawing asks the ray tracer.
+//! A point is hidden if a ray from it towards who looks hits something: the mathematics of the lectures, asked by the drawing.
 
 use glam::{DVec2, DVec3};
 
@@ -8,9 +8,7 @@ use crate::figure::sheet::Sheet;
 use crate::figure::sheet::look::Look;
 use crate::figure::view::Space;
 use crate::geometry::{Ray, TRange};
-use crate::scene::{Primitive, PrimitiveId};
-use crate::strategy::test_primitive;
-use crate::trace::Off;
+use crate::scene::{Primitive, Shape};
 
 /// A part of a line, from one share of it to another.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -39,10 +37,7 @@ pub(in crate::figure) fn pieces(
             ..TRange::FORWARD
         };
         let ray = Ray::new(at(share), towards);
-        let hides = |cover: &&Primitive| {
-            test_primitive(PrimitiveId(0), cover, &ray, range, &mut Off).is_some()
-        };
-        covers.iter().any(hides)
+        covers.iter().any(|cover| is_hit(cover, &ray, range))
     };
     let mut pieces = Vec::new();
     // in the middle of its part, so that no sample lies on an end
@@ -77,6 +72,22 @@ pub(in crate::figure) fn pieces(
         hidden: now,
     });
     pieces
+}
+
+/// Does the ray hit it?
+fn is_hit(primitive: &Primitive, ray: &Ray, range: TRange) -> bool {
+    let sides = primitive.sides;
+    let chosen = match &primitive.shape {
+        Shape::Sphere(sphere) => sphere.test(ray, range, sides).roots.chosen(),
+        Shape::Ellipsoid(ellipsoid) => ellipsoid.test(ray, range, sides).roots.chosen(),
+        Shape::Box(solid) => solid.test(ray, range, sides).roots.chosen(),
+        Shape::Cone(cone) => cone.test(ray, range, sides).roots.chosen(),
+        Shape::Polygon(polygon) => {
+            let t = polygon.plane_test(ray, range, sides).chosen();
+            t.filter(|t| polygon.contains(ray, *t).inside)
+        }
+    };
+    chosen.is_some()
 }
 
 /// A straight line whose hidden parts are dotted.
@@ -130,7 +141,7 @@ fn draw(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scene::small_scene;
+    use crate::scene::{PrimitiveId, small_scene};
 
     #[test]
     fn behind_a_ball_a_line_is_hidden_where_the_ball_covers_it() {

@@ -116,10 +116,12 @@ impl Axis<'_> {
             sheet.text(Anchor::Start, inside, start);
             sheet.text(Anchor::End, DVec2::new(from - gap, middle), name);
         }
-        let has_room = to + gap + sheet.width_of(&end) <= self.frame.max.x;
+        // words that do not end in a short bar go on behind it
+        let behind = to.max(from + taken) + gap;
+        let has_room = behind + sheet.width_of(&end) <= self.frame.max.x;
         let is_short = to - from < taken + gap + sheet.width_of(&end);
         if ends && has_room && (!is_null || is_short) {
-            sheet.text(Anchor::Start, DVec2::new(to + gap, middle), end);
+            sheet.text(Anchor::Start, DVec2::new(behind, middle), end);
         } else {
             let text = if ends { end } else { format!("{end} →") };
             sheet.text(Anchor::End, DVec2::new(to - gap, middle), text);

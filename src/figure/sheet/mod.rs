@@ -19,4 +19,5 @@ pub(in crate::figure) mod stage;
 pub(in crate::figure) mod text;
 
 pub(crate) use sheet::Width;
-pub(in crate::figure) use sheet::{Anchor, Form, Label, Mark, Sheet, Since, Words};
+pub(in crate::figure) use sheet::{Form, Label, Mark, Sheet, Since, Words};
+pub(in crate::figure) use text::Anchor;

@@ -10,18 +10,7 @@ use crate::figure::sheet::frame::Frame;
 use crate::figure::sheet::image::Image;
 use crate::figure::sheet::look::{Fill, Look};
 use crate::figure::sheet::stage::{Stage, StageId, StageName};
-use crate::figure::sheet::text::Text;
-
-/// Which point of a line of letters is placed.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(in crate::figure) enum Anchor {
-    /// Its left end.
-    Start,
-    /// Its middle.
-    Middle,
-    /// Its right end.
-    End,
-}
+use crate::figure::sheet::text::{Anchor, Text};
 
 /// The form of a mark, in units of the sheet: x to the right, y down.
 #[derive(Clone, Debug, PartialEq)]

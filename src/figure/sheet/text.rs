@@ -7,9 +7,19 @@ use std::ops::Add;
 
 use glam::DVec2;
 
-use crate::figure::sheet::Anchor;
 use crate::figure::sheet::font;
 use crate::figure::sheet::frame::Frame;
+
+/// Which point of a line of letters is placed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(in crate::figure) enum Anchor {
+    /// Its left end.
+    Start,
+    /// Its middle.
+    Middle,
+    /// Its right end.
+    End,
+}
 
 /// On which height letters stand.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

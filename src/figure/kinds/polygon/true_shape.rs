@@ -108,6 +108,9 @@ pub(super) fn draw_two(
         return;
     };
     let normal = tested.plane.0.plane.normal;
+    let frame = sheet.at(argument.axis, |sheet| {
+        sheet.lines(frame, &choice(tested, test.dropped))
+    });
     let half = 0.5 * frame.size().y;
     let parts = [test.dropped, other].into_iter().zip(frame.split_top(half));
     sheet.at(argument.projection, |sheet| {
