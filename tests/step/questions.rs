@@ -12,7 +12,7 @@ use raystep::mistake::mistake;
 use raystep::scene::{Primitive, PrimitiveId};
 use raystep::step::{Asks, Question, StepLog};
 use raystep::trace::RayStart;
-use raystep::{Event, Record};
+use raystep::{Event, Record, Settings};
 
 use super::{each_lesson, each_random};
 use crate::seeded::Seeded;
@@ -213,4 +213,96 @@ fn the_right_answer_of_ten_thousand_steps_is_confirmed_by_another_route() {
         );
     }
     assert!(15 <= mistakes.len(), "{mistakes:?}");
+}
+
+/// The question of a step of the pixel on paper: its text, its right choice, and the wrong ones in their order.
+#[track_caller]
+fn check_on_paper(
+    choose: impl Fn(&StepLog) -> usize,
+    text: &str,
+    right: [&str; 2],
+    wrong: &[(&str, Option<&str>)],
+) {
+    let scene = crate::worked_solution::scene();
+    let records = crate::worked_solution::records(&scene);
+    let settings = Settings::default();
+    let log = StepLog::new(&scene, &settings, &records);
+    let question = log.question(choose(&log)).unwrap();
+    assert_eq!(question.text, text);
+    let mut choices = question.choices.clone();
+    let found = choices.remove(question.right);
+    assert_eq!([found.text.as_str(), found.reason.as_str()], right);
+    let found: Vec<_> = choices
+        .iter()
+        .map(|of| (of.text.as_str(), of.mistake))
+        .collect();
+    assert_eq!(found, wrong);
+}
+
+#[test]
+fn the_questions_of_the_pixel_on_paper_are_those_that_a_lecturer_would_ask() {
+    // the ball of radius 2 is 4 behind the eye, and M was hit at 4
+    check_on_paper(
+        |log| log.leaf(4),
+        "ball: The roots are t = −6 and t = −2; t counts from 0 to 4, the nearest hit so far. Which root is the hit?",
+        [
+            "neither: the ray misses",
+            "t = −6 lies behind the origin of the ray. t = −2 lies behind the origin of the ray.",
+        ],
+        &[("t = −6", Some("first root always")), ("t = −2", None)],
+    );
+    // x = 3, and the ray runs along z
+    check_on_paper(
+        |log| log.leaf(5),
+        "Plane of wall: D = −3, the numerator A·x₀ + B·y₀ + C·z₀ + D is −3, the denominator A·Δx + B·Δy + C·Δz is 0 but for rounding. Where does the line of the ray hit the plane?",
+        [
+            "nowhere: the ray is parallel to the plane and beside it",
+            "The denominator is 0, and the numerator −3 is not 0.",
+        ],
+        &[
+            ("at t = ∞", Some("no parallel case")),
+            (
+                "nowhere: the ray is parallel to the plane and runs in it",
+                None,
+            ),
+            ("at t = 0", None),
+        ],
+    );
+    // (0, 3, 5): c = 9 + 25 − 1
+    check_on_paper(
+        |log| log.leaf(6),
+        "far: a·t² + b·t + c = 0 with a = 1, b = −10, c = 33. How many real roots are there?",
+        [
+            "none: the ray misses",
+            "b² − 4ac = 100 − 132 = −32, which is below 0.",
+        ],
+        &[("one: the ray touches the surface", None), ("two", None)],
+    );
+    // from (0, 0, 4) back to the lamp in the eye; the ball begins 6 away, behind it
+    check_on_paper(
+        |log| log.step(log.leaf(7)).parent.unwrap(),
+        "A shadow ray runs from (0, 0, 4) to light \"lamp\", which is 4 away. Is the light blocked, and by what?",
+        [
+            "not blocked",
+            "No object is hit at a t up to 4, where the light is.",
+        ],
+        &[
+            ("blocked by ball", Some("any hit counts")),
+            ("blocked by M", None),
+            ("blocked by wall", None),
+        ],
+    );
+    check_on_paper(
+        |log| log.leaf(13),
+        "The light \"lamp\" is not blocked; N·L = 1, R·V = 1. The material has diffuse 0.5, specular 0.25, shininess 3. Which of its two terms, diffuse and specular, are 0?",
+        [
+            "neither",
+            "The diffuse term is above 0, with N·L = 1. The specular term is above 0, with R·V = 1.",
+        ],
+        &[
+            ("the diffuse term alone", None),
+            ("the specular term alone", None),
+            ("both", Some("L from light to point")),
+        ],
+    );
 }

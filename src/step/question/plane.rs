@@ -1,6 +1,6 @@
 //! The plane of a polygon: where does the line of the ray hit it, or is it parallel?
 
-use crate::geometry::{PlaneTest, PlaneVerdict};
+use crate::geometry::{PlaneTest, PlaneVerdict, RootVerdict};
 use crate::mistake::mistake;
 use crate::scene::PrimitiveId;
 use crate::step::question::at::{At, number};
@@ -21,8 +21,9 @@ pub(super) fn t(at: &At, object: PrimitiveId, test: &PlaneTest) -> Option<Questi
     let not_parallel = format!("The denominator is {bottom} and not 0, so there is one t.");
     let (right, wrong) = match verdict {
         PlaneVerdict::Meets(root) => {
-            // beside an edge-on plane t was moved into the outline
-            if number(root.t) != number(-numerator / denominator) {
+            // beside an edge-on plane t was moved into the outline; the plane that the ray starts on has a t of rounding
+            let is_moved = number(root.t) != number(-numerator / denominator);
+            if is_moved || root.verdict == RootVerdict::BelowEpsilon {
                 return None;
             }
             let right = format!("t = −({top}) / ({bottom}) = {}.", number(root.t));

@@ -79,7 +79,6 @@ pub(super) fn blocked(at: &At) -> Option<Question> {
             )),
         }
     }
-    // what is hit may have the same name as the right one
     let free = blocker
         .map(|object| Choice::new(free_text, format!("{} stands in between.", at.name(object))));
     let wrong = free.into_iter().chain(beyond).chain(beside);
