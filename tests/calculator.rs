@@ -301,7 +301,7 @@ const NOT_COMPUTED: [(&str, &str); 35] = [
     ("… (i)", "equation (i) itself, with the ray's numbers"),
     ("… (iii)", "equation (iii) itself"),
     ("… (iv)", "equation (iv) itself, with the plane's numbers"),
-    ("o - center", "o and the center are on other lines"),
+    ("o - centre", "o and the centre are on other lines"),
     ("Δ → ", "Δ and the radii are on other lines"),
     ("axis w = ", "the axis of a cone, as the scene has it"),
     ("m = o - base: ", "o and the base are on other lines"),
@@ -619,13 +619,13 @@ fn the_axis_and_the_point_without_its_coordinate_are_checked() {
 fn roots_normals_and_lengths_are_computed_too() {
     assert_eq!(check_line("t = (-b ± √4)/2a = (6 ± 2)/4 = 1 and 2"), [2, 0]);
     let normal =
-        "N = (p - center)/radii² = [(2, 1, 0) - (1, 1, 0)]/(2, 1, 1)², normalised = (1, 0, 0)";
+        "N = (p - centre)/radii² = [(2, 1, 0) - (1, 1, 0)]/(2, 1, 1)², normalised = (1, 0, 0)";
     assert_eq!(check_line(normal), [0, 1]);
     assert_eq!(check_line("P - COP = (3, 0, 4), of length 5"), [1, 0]);
     // six digits of each number of the second leave 9.7·10⁻⁸
     for rounding in [
-        "c = |o - center|² - r² = 0.6² + 0.8² + 0² - 1² = 0 but for rounding",
-        "c = |o - center|² - r² = (-0.126746)² + (-0.113287)² + (-0.00126639)² - 0.17² = 0 but for rounding",
+        "c = |o - centre|² - r² = 0.6² + 0.8² + 0² - 1² = 0 but for rounding",
+        "c = |o - centre|² - r² = (-0.126746)² + (-0.113287)² + (-0.00126639)² - 0.17² = 0 but for rounding",
     ] {
         assert_eq!(check_line(rounding), [1, 0]);
     }
@@ -634,7 +634,7 @@ fn roots_normals_and_lengths_are_computed_too() {
 #[test]
 #[should_panic(expected = "= 0 but for rounding")]
 fn a_sum_that_is_not_0_is_noticed() {
-    check_line("c = |o - center|² - r² = 0.6² + 0.81² + 0² - 1² = 0 but for rounding");
+    check_line("c = |o - centre|² - r² = 0.6² + 0.81² + 0² - 1² = 0 but for rounding");
 }
 
 #[test]

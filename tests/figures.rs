@@ -20,7 +20,7 @@ use roxmltree::{Document, Node};
 /// What a figure is named by in its ids here.
 const ID: &str = "raystep-test";
 
-fn library() -> Library {
+pub(crate) fn library() -> Library {
     raystep::open_lessons(&Path::new(env!("CARGO_MANIFEST_DIR")).join("lessons")).unwrap()
 }
 

@@ -54,7 +54,7 @@ parts! {
     /// Equation (i), (x, y, z) = o + t·Δ, with the t that count.
     Ray = "ray", "ray";
 
-    /// The ray as the object sees it: from its center, divided by its radii, or split along its axis.
+    /// The ray as the object sees it: from its centre, divided by its radii, or split along its axis.
     Frame = "frame", "frame";
     /// The coefficients of a·t² + b·t + c = 0, equation (iii).
     Coefficients = "coefficients", "a, b, c";

@@ -9,7 +9,7 @@
 //! use raystep::mistake::{Wrong, mistake};
 //! use raystep::tracer::simple::Parts;
 //!
-//! // from the center of a sphere of radius 2 the roots are −2 and 2
+//! // from the centre of a sphere of radius 2 the roots are −2 and 2
 //! let wrong = mistake("first root always").unwrap().wrong;
 //! let sphere = Sphere { center: glam::DVec3::ZERO, radius: 2.0 };
 //! let ray = Ray::new(glam::DVec3::ZERO, glam::DVec3::X);

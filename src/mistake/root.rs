@@ -139,7 +139,7 @@ mod tests {
         Ray::new(DVec3::new(x, 0.0, z), DVec3::NEG_Z)
     }
 
-    /// From z = 6: a = 1, b = −12, c = 35, the roots are (12 ∓ 2)/2 = 5 and 7. From the center: b = 0, the roots ±1.
+    /// From z = 6: a = 1, b = −12, c = 35, the roots are (12 ∓ 2)/2 = 5 and 7. From the centre: b = 0, the roots ±1.
     #[test]
     fn b_without_its_factor_loses_the_hit_and_with_the_wrong_sign_turns_it_round() {
         let of = |test: fn(&Sphere, &Ray, TRange, Sides) -> QuadraticTest, z| {

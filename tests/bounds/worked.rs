@@ -48,7 +48,7 @@ fn a_met_a_missed_and_a_hidden_volume_are_told_with_what_follows() {
         sphere(DVec3::new(1.5, 1.5, -3.0), 1.0),
         sphere(DVec3::new(-1.0, -1.0, 17.0), 1.0),
     ]);
-    // through the center of the first, √66 = 8.12404 away
+    // through the centre of the first, √66 = 8.12404 away
     let text = solution(&scene, VolumeKind::Sphere, &SlabSet::AXES, TOP_RIGHT);
     let lines = [
         "bounding volume of 0 (sphere): hit, inside for t in [7.12404, 9.12404], so the object is tested",

@@ -197,15 +197,15 @@ Ray 0: eye ray, depth 1
   bounding volume of node 6 (slabs): missed, so nothing below the node is tested
   heap: node 5 is the nearest, key 5.02501; 1 node waits
   node 5, depth 3, a leaf with 1 object: entered
-  A: sphere, center (0, 1, 0), radius 1
-    frame: o − center = (0, 0, 6)
+  A: sphere, centre (0, 1, 0), radius 1
+    frame: o − centre = (0, 0, 6)
     a, b, c of a·t² + b·t + c = 0 … (iii)
     a = Δ·Δ = 0.0030179915² + (−0.099593718)² + (−0.99502361)² = 1
-    b = 2·Δ·(o − center) = 2·[0.0030179915·0 + (−0.099593718)·0 + (−0.99502361)·6] = −11.940283
-    c = |o − center|² − r² = 0² + 0² + 6² − 1² = 35
+    b = 2·Δ·(o − centre) = 2·[0.0030179915·0 + (−0.099593718)·0 + (−0.99502361)·6] = −11.940283
+    c = |o − centre|² − r² = 0² + 0² + 6² − 1² = 35
     discriminant: b² − 4ac = 142.57037 − 140 = 2.5703655 > 0: two real roots
     roots: t = (−b ± √2.5703655)/2a = (11.940283 ± 1.603236)/2 = 5.1685237 and 6.7717596
-    the program computes the same with less rounding: b² − 4ac as 4(a·r² − |Δ × (o − center)|²), and the root nearer to 0 as c/(a·t) of the other
+    the program computes the same with less rounding: b² − 4ac as 4(a·r² − |Δ × (o − centre)|²), and the root nearer to 0 as c/(a·t) of the other
     root that counts: t = 5.16852, the smallest that counts: a hit; t = 6.77176 lies beyond it
     → nearest hit so far
   heap: node 2 is the nearest, key 10.0408, behind the nearest hit: the search ends
@@ -232,7 +232,7 @@ Ray 0: eye ray, depth 1
     bounding volume of node 6 (slabs): missed, so nothing below the node is tested
     heap: node 5 is the nearest, key 5.16852e-9; none waits
     node 5, depth 3, a leaf with 1 object: entered
-    A: sphere, center (0, 1, 0), radius 1
+    A: sphere, centre (0, 1, 0), radius 1
       discriminant of t² + 0.1944904·t + 1.302268e-15 = 0: b² − 4ac = 0.03782653 − 5.209073e-15 = 0.03782653
       root that counts: none, t = −0.19449 lies behind the origin; t = −6.6958e-15 is 0 within ε: the surface that the ray starts on: missed
     → visibility: no object is in between, so the light is visible
@@ -320,9 +320,9 @@ Ray 0: eye ray, depth 1
     → hit outside the cell: t = 8.32927 is beyond the end of the cell at 3.107397, so the hit is kept and the traversal continues
   cell [1, 0, 1]: t in [3.1074, 8.32927], 4 objects listed
     next planes: x at t = 12.9684, y at t = 8.32927, z at t = 9.32219; the ray leaves the cell across y
-  A: sphere, center (0, 1, 0), radius 1
+  A: sphere, centre (0, 1, 0), radius 1
     discriminant of t² − 11.585261·t + 35 = 0: b² − 4ac = 134.21827 − 140 = −5.781731 < 0, no real root: missed
-  B: ellipsoid, center (2, 1, 0), radii (1, 0.5, 0.5)
+  B: ellipsoid, centre (2, 1, 0), radii (1, 0.5, 0.5)
     discriminant of 3.8394561·t² − 45.415714·t + 147 = 0: b² − 4ac = 2062.5871 − 2257.6002 = −195.01309 < 0, no real root: missed
   C: box from (−3, 0, −1) to (−2, 1, 0)
     near, far of a slab: S is the coordinate of o along its axis, D is minus the coordinate of a plane, and T is −1 over the component of Δ along the axis
@@ -340,15 +340,15 @@ Ray 0: eye ray, depth 1
     the ray is in its box for t in [0, 3.66225] and starts in cell [1, 0, 1]
     cell [1, 0, 1]: t in [8.32927e-9, 3.66225], 4 objects listed
       next planes: x at t = 9.13301, y at t = 3.66225, z at t = 7.86613; the ray leaves the cell across y
-    A: sphere, center (0, 1, 0), radius 1
-      frame: o − center = (−1.9268293, −1, −2.0413973)
+    A: sphere, centre (0, 1, 0), radius 1
+      frame: o − centre = (−1.9268293, −1, −2.0413973)
       a, b, c of a·t² + b·t + c = 0 … (iii)
       a = Δ·Δ = 0.53945267² + 0.54611258² + 0.64089927² = 1
-      b = 2·Δ·(o − center) = 2·[0.53945267·(−1.9268293) + 0.54611258·(−1) + 0.64089927·(−2.0413973)] = −5.7877516
-      c = |o − center|² − r² = (−1.9268293)² + (−1)² + (−2.0413973)² − 1² = 7.8799741
+      b = 2·Δ·(o − centre) = 2·[0.53945267·(−1.9268293) + 0.54611258·(−1) + 0.64089927·(−2.0413973)] = −5.7877516
+      c = |o − centre|² − r² = (−1.9268293)² + (−1)² + (−2.0413973)² − 1² = 7.8799741
       discriminant: b² − 4ac = 33.498069 − 31.519896 = 1.9781728 > 0: two real roots
       roots: t = (−b ± √1.9781728)/2a = (5.7877516 ± 1.4064753)/2 = 2.1906382 and 3.5971135
-      the program computes the same with less rounding: b² − 4ac as 4(a·r² − |Δ × (o − center)|²), and the root nearer to 0 as c/(a·t) of the other
+      the program computes the same with less rounding: b² − 4ac as 4(a·r² − |Δ × (o − centre)|²), and the root nearer to 0 as c/(a·t) of the other
       root that counts: t = 2.19064, the smallest that counts: a hit; t = 3.59711 lies beyond it
     end of the traversal: one hit is enough for a shadow ray; 1 cell visited
     → visibility: blocked by A at t = 2.19064, so the point is in its shadow

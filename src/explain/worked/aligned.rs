@@ -73,7 +73,7 @@ pub(super) fn aligned(context: &Context, point: &Aligned, page: &mut Pen) {
     let d = Digits::USUAL;
     let name = context.name(point.object);
     let part = match point.part {
-        AlignedPart::Center => "center".into(),
+        AlignedPart::Center => "centre".into(),
         AlignedPart::HalfAxis => format!("half axis {}", point.index),
         AlignedPart::Vertex => format!("vertex {}", point.index),
         AlignedPart::Base => "base".into(),

@@ -105,14 +105,14 @@ fn normal_formula(context: &Context, shade: &Shade) -> (String, Option<String>, 
             let (p, center) = (d.vector(p), d.vector(sphere.center));
             let radius = d.number(sphere.radius);
             let numbers = format!("[{p} − {center}]/{radius}");
-            ("(p − center)/r".into(), Some(numbers), d)
+            ("(p − centre)/r".into(), Some(numbers), d)
         }
         Shape::Ellipsoid(ellipsoid) => {
             let d = digits(ellipsoid.radii.min_element());
             let (p, center) = (d.vector(p), d.vector(ellipsoid.center));
             let radii = d.vector(ellipsoid.radii);
             let numbers = format!("[{p} − {center}]/{radii}², normalised");
-            ("(p − center)/radii²".into(), Some(numbers), d)
+            ("(p − centre)/radii²".into(), Some(numbers), d)
         }
         Shape::Box(solid) => {
             let normal = solid.normal(p);

@@ -79,14 +79,14 @@ pub(super) fn sphere(of: Tested, page: &mut Pen) {
     let (center, radius) = (course.place(sphere.center), sphere.radius);
     let d = Digits::USUAL;
     let what = format!(
-        "sphere, center {}, radius {}",
+        "sphere, centre {}, radius {}",
         d.vector(center),
         d.number(radius)
     );
     of.told(&what, page, |ray, page| {
         let offset = ray.origin - center;
         let given = precise(test, offset).vector(offset);
-        page.headed(Part::Frame, format!(": o − center = {given}"));
+        page.headed(Part::Frame, format!(": o − centre = {given}"));
         coefficients(&Ray::new(offset, ray.direction), radius, test, page);
         roots(test, page);
         match course.aligned {
@@ -106,7 +106,7 @@ pub(super) fn ellipsoid(of: Tested, page: &mut Pen) {
     let (center, radii) = (course.place(ellipsoid.center), ellipsoid.radii);
     let d = Digits::USUAL;
     let what = format!(
-        "ellipsoid, center {}, radii {}",
+        "ellipsoid, centre {}, radii {}",
         d.vector(center),
         d.vector(radii)
     );
@@ -115,12 +115,12 @@ pub(super) fn ellipsoid(of: Tested, page: &mut Pen) {
             // its half axes h are turned
             Some(aligned) => (
                 ellipsoid.unit_ray(&aligned),
-                "hᵢ·(o − center)/rᵢ²",
+                "hᵢ·(o − centre)/rᵢ²",
                 "hᵢ·Δ/rᵢ²",
             ),
             None => (
                 Ray::new((ray.origin - center) / radii, ray.direction / radii),
-                "(o − center)/radii",
+                "(o − centre)/radii",
                 "Δ/radii",
             ),
         };
@@ -131,7 +131,7 @@ pub(super) fn ellipsoid(of: Tested, page: &mut Pen) {
             format!(": space divided by the radii{along}: there the ellipsoid is the unit sphere, and t is the same"),
         );
         page.part(Part::Frame).plain(format!(
-            "o − center → {offset_by} = {}",
+            "o − centre → {offset_by} = {}",
             d.vector(scaled.origin)
         ));
         page.part(Part::Frame).plain(format!(
@@ -245,7 +245,7 @@ pub(super) fn cone(of: Tested, page: &mut Pen) {
 
 /// How the program computes the numbers of a sphere, and of the unit sphere that an ellipsoid is in its frame.
 const COMPUTED_FOR_SPHERE: &str = "the program computes the same with less rounding: b² − 4ac as \
-    4(a·r² − |Δ × (o − center)|²), and the root nearer to 0 as c/(a·t) of the other";
+    4(a·r² − |Δ × (o − centre)|²), and the root nearer to 0 as c/(a·t) of the other";
 
 /// The same of a cone.
 const COMPUTED_FOR_CONE: &str = "the program computes the same with less rounding: b² − 4ac as \
@@ -267,12 +267,12 @@ fn coefficients(ray: &Ray, radius: f64, test: &QuadraticTest, page: &mut Pen) {
         d.number(test.a)
     ));
     page.part(Part::Coefficients).plain(format!(
-        "b = 2·Δ·(o − center) = 2·[{}] = {}",
+        "b = 2·Δ·(o − centre) = 2·[{}] = {}",
         d.dot(direction, offset),
         d.number(test.b)
     ));
     page.part(Part::Coefficients).plain(format!(
-        "c = |o − center|² − r² = {} − {}² = {}",
+        "c = |o − centre|² − r² = {} − {}² = {}",
         d.squares(offset),
         d.number(radius),
         d.difference(offset.length_squared(), test.c)
@@ -285,7 +285,7 @@ pub(super) fn object_line(context: &Context, object: PrimitiveId, what: &str, pa
     page.line(Tone::Heading, format!("{name}: {what}"));
 }
 
-/// Digits for a, b and c: c is a difference too, that of |o − center|² and r².
+/// Digits for a, b and c: c is a difference too, that of |o − centre|² and r².
 fn precise(test: &QuadraticTest, offset: DVec3) -> Digits {
     let (b2, ac4) = (test.b * test.b, 4.0 * test.a * test.c);
     let for_c = Digits::for_difference(offset.length_squared(), test.c);

@@ -107,14 +107,14 @@ fn volume_of(context: &Context, test: &BoundTest) -> Option<String> {
     context.scene.objects.get(object)?;
     match Volume::around(context.scene, object, test.volume, &SlabSet::AXES) {
         Volume::Sphere(sphere) => Some(format!(
-            "center {}, radius {}",
+            "centre {}, radius {}",
             d.vector(sphere.center),
             d.number(sphere.radius)
         )),
         Volume::Ellipsoid(ellipsoid) => {
             let [a, b, c] = [0, 1, 2].map(|i| d.vector(ellipsoid.radii[i] * ellipsoid.axes[i]));
             let center = d.vector(ellipsoid.center);
-            Some(format!("center {center}, half axes {a}, {b} and {c}"))
+            Some(format!("centre {center}, half axes {a}, {b} and {c}"))
         }
         Volume::Box(bound) => {
             let AxisBox { min, max } = bound.as_box();

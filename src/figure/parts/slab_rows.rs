@@ -102,6 +102,15 @@ impl Axis<'_> {
             _ => (quantity(near), quantity(far)),
         };
         let named = name.clone() + ": " + &start;
+        let behind = to + gap;
+        let has_room = behind + sheet.width_of(&end) <= self.frame.max.x;
+        let is_short = to - from < sheet.width_of(&named) + sheet.width_of(&end) + 3.0 * gap;
+        if starts && ends && is_short && !has_room {
+            // a short bar at the end of the axis has both of its words before it
+            let both = named + ", " + &end;
+            sheet.text(Anchor::End, DVec2::new(from - gap, middle), both);
+            return;
+        }
         let inside = DVec2::new(from + gap, middle);
         // how much of the bar its own words take
         let mut taken = 0.0;

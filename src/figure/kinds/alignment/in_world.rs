@@ -4,7 +4,7 @@ use glam::{DVec2, DVec3};
 
 use crate::figure::kinds::alignment::argument::Argument;
 use crate::figure::kinds::alignment::laid::{Laid, furthest};
-use crate::figure::kinds::alignment::{mark, name_beside};
+use crate::figure::kinds::alignment::marks::{mark, name_beside};
 use crate::figure::parts::outline::Outline;
 use crate::figure::parts::scenery;
 use crate::figure::sheet::Sheet;

@@ -7,6 +7,7 @@ mod argument;
 mod in_frame;
 mod in_world;
 mod laid;
+mod marks;
 mod z_sort;
 
 use glam::DVec2;
@@ -15,7 +16,6 @@ use crate::figure::error::FigureError;
 use crate::figure::kind::Kind;
 use crate::figure::kinds::alignment::argument::Argument;
 use crate::figure::kinds::alignment::laid::Laid;
-use crate::figure::parts::outline::Rim;
 use crate::figure::parts::scenery;
 use crate::figure::sheet::canvas::{coordinates, quantity};
 use crate::figure::sheet::frame::Frame;
@@ -24,7 +24,6 @@ use crate::figure::sheet::text::formula;
 use crate::figure::sheet::{Anchor, Sheet};
 use crate::figure::spec::Layer;
 use crate::figure::subject::Figure;
-use crate::figure::view::Space;
 
 pub(super) const KIND: Kind = Kind {
     draw,
@@ -78,29 +77,6 @@ fn transformations(sheet: &mut Sheet, between: Frame, argument: &Argument) {
             let above = DVec2::new(f64::midpoint(from.x, to.x), y + 1.2 * down * sheet.letters);
             sheet.text(Anchor::Middle, above, formula(name));
         });
-    }
-}
-
-/// A name in an outline, beside the ray where that passes its middle.
-fn name_beside(sheet: &mut Sheet, space: &Space, rim: &Rim, name: &str, [from, to]: [DVec2; 2]) {
-    /// Between the middle of a name and the ray, in sizes of letters.
-    const AWAY: f64 = 0.95;
-    let Some(middle) = scenery::middle_of(space, rim) else {
-        return;
-    };
-    let across = (to - from).perp().normalize_or_zero();
-    let side = across.dot(middle - from);
-    let missing = AWAY * sheet.letters - side.abs();
-    let aside = 1f64.copysign(side) * missing.max(0.0) * across;
-    scenery::name_around(sheet, space, middle + aside, name);
-}
-
-/// The nearest hit is a point, the others are rings.
-fn mark(sheet: &mut Sheet, is_nearest: bool, at: DVec2) {
-    if is_nearest {
-        sheet.dot(Look::ANSWER, at);
-    } else {
-        sheet.ring(Look::THIN.wide(1.5), at);
     }
 }
 

@@ -4,7 +4,7 @@ use glam::DVec2;
 
 use crate::figure::kinds::alignment::argument::Argument;
 use crate::figure::kinds::alignment::laid::Laid;
-use crate::figure::kinds::alignment::mark;
+use crate::figure::kinds::alignment::marks::mark;
 use crate::figure::parts::scenery;
 use crate::figure::sheet::canvas::quantity;
 use crate::figure::sheet::frame::Frame;

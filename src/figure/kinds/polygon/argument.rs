@@ -72,7 +72,12 @@ impl Argument {
                 )
             },
         );
-        let crossings = Self::of_crossings(sheet, test.crossings, last_edge);
+        // two projections beside each other have no room for the half-line
+        let crossings = if along == test.dropped {
+            Self::of_crossings(sheet, test.crossings, last_edge)
+        } else {
+            Vec::new()
+        };
         let so = if test.inside { "inside" } else { "outside" };
         let verdict = sheet.stage(
             Part::InsideOut,
