@@ -46,7 +46,7 @@ mod with_raster {
         pdf.catalog(catalog).pages(all_pages);
         pdf.pages(all_pages)
             .kids(pages.iter().copied())
-            .count(pages.len() as i32);
+            .count(i32::try_from(pages.len()).unwrap_or(i32::MAX));
         for (svg, page_id) in svgs.iter().zip(&pages) {
             let tree = drawings.read(svg)?;
             let options = svg2pdf::ConversionOptions::default();

@@ -85,7 +85,9 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
         plan.ray(sheet, &walk);
     }
     if figure.shows(Layer::Tests) {
-        hits(figure, sheet, &plan, (&ray, &walk), end);
+        sheet.within(plan.space.frame, |sheet| {
+            hits(figure, sheet, &plan, (&ray, &walk), end);
+        });
     }
     if figure.shows(Layer::Eye) {
         scenery::eye(figure, sheet, &plan.space);

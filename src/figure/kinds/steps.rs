@@ -51,9 +51,10 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
         ),
         None => "The ray leaves the grid and hits no object.".into(),
     };
-    plan::stages(sheet, &ray, &walk, &sentences, ends);
+    let end = plan::stages(sheet, &ray, &walk, &sentences, ends);
     let apart = ray.node.start.map(|start| apart(&walk, &start.ray));
-    let table = Table::new(sheet, body, &rows)?;
+    let apart = apart.unwrap_or_default();
+    let table = Table::new(sheet, body, &rows, apart)?;
     let left = Frame {
         min: body.min,
         max: DVec2::new(table.left - 1.5 * sheet.letters, body.max.y),
@@ -81,11 +82,19 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
         plan.ray(sheet, &walk);
     }
     crossings(figure, sheet, &plan, &walk);
-    table.head(sheet, apart.unwrap_or_default());
+    table.head(sheet, apart);
     for (place, row) in rows.iter().enumerate() {
         sheet.event(walk.visits[place].step, |sheet| {
             table.row(sheet, place, row);
         });
+        // how it ends is said at the end
+        let is_last = place + 1 == rows.len();
+        let since = |sheet: &mut Sheet| table.outcome(sheet, place, row);
+        if is_last {
+            sheet.at(end, since);
+        } else {
+            sheet.event(walk.visits[place].step, since);
+        }
     }
     Ok(sentences.join(" "))
 }
@@ -250,7 +259,7 @@ const HEAD: f64 = 5.3;
 
 impl Table {
     /// At the right of a frame, in the middle of its height.
-    fn new(sheet: &Sheet, frame: Frame, of: &[Row]) -> Result<Self, FigureError> {
+    fn new(sheet: &Sheet, frame: Frame, of: &[Row], apart: [f64; 3]) -> Result<Self, FigureError> {
         let em = sheet.letters;
         let rows = of.len();
         let room = frame.size().y / em - HEAD;
@@ -272,7 +281,11 @@ impl Table {
             Width::Slide => 0.6,
         };
         let nexts = of.iter().flat_map(|row| &row.next);
-        let next = nexts.map(|t| wide(t) + 0.7).fold(3.9, f64::max);
+        let changes = apart.map(|of| wide(&format!("+ {}", finite(of, quantity))) + 0.7);
+        let next = nexts
+            .map(|t| wide(t) + 0.7)
+            .chain(changes)
+            .fold(3.9, f64::max);
         let thens = of.iter().map(|row| wide(&row.then) + 0.8);
         let then = thens.fold(4.0, f64::max);
         Ok(Self {
@@ -326,6 +339,13 @@ impl Table {
         sheet.line(Look::THIN, at(self.left, y), at(right, y));
     }
 
+    /// What follows from a row.
+    fn outcome(&self, sheet: &mut Sheet, place: usize, row: &Row) {
+        let y = self.top + (HEAD + (place as f64 + 0.5) * self.row) * self.em;
+        let at = DVec2::new(self.then(), y);
+        sheet.text(Anchor::Start, at, formula(&row.then));
+    }
+
     fn row(&self, sheet: &mut Sheet, place: usize, row: &Row) {
         let em = self.em;
         let y = self.top + (HEAD + (place as f64 + 0.5) * self.row) * em;
@@ -350,7 +370,6 @@ impl Table {
         for (axis, t) in row.next.iter().enumerate() {
             sheet.text(Anchor::Middle, at(self.next(axis), y), t);
         }
-        sheet.text(Anchor::Start, at(self.then(), y), formula(&row.then));
     }
 }
 

@@ -4,23 +4,22 @@
 //! then, the nearest node first.
 
 mod table;
+mod turn;
 
 use crate::explain::Part;
 use crate::figure::error::FigureError;
 use crate::figure::kind::Kind;
 use crate::figure::kinds::heap::table::Table;
+use crate::figure::kinds::heap::turn::{Turn, turns};
 use crate::figure::parts::bound;
 use crate::figure::parts::scenery;
 use crate::figure::parts::tree::Tree;
-use crate::figure::parts::visits::tested;
 use crate::figure::sheet::Sheet;
 use crate::figure::sheet::canvas::brief;
 use crate::figure::sheet::frame::Frame;
 use crate::figure::sheet::stage::{StageId, parts};
 use crate::figure::spec::Layer;
 use crate::figure::subject::Figure;
-use crate::scene::PrimitiveId;
-use crate::trace::{Event, QueueAction, QueueStep, Record};
 
 pub(super) const KIND: Kind = Kind {
     draw,
@@ -28,89 +27,6 @@ pub(super) const KIND: Kind = Kind {
     usual: &[Layer::Legend],
     more: &[],
 };
-
-/// A node in the heap.
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct Entry {
-    node: u32,
-    /// The estimated distance.
-    key: f64,
-    /// When it went in.
-    step: u32,
-}
-
-/// What happened from one node that was taken out to the next.
-#[derive(Clone, Debug, Default, PartialEq)]
-struct Turn {
-    /// Taken out, or looked at last; none before the root went in.
-    taken: Option<QueueStep>,
-    /// When.
-    step: u32,
-    /// The last step before the next one.
-    last: u32,
-    /// What waits afterwards, the nearest first.
-    waiting: Vec<Entry>,
-    /// Objects that were tested, and whether they were hit.
-    tested: Vec<(PrimitiveId, u32, bool)>,
-    /// The nearest hit by then.
-    nearest: Option<(PrimitiveId, f64, u32)>,
-}
-
-impl Turn {
-    fn is_stop(&self) -> bool {
-        self.taken
-            .is_some_and(|taken| taken.action == QueueAction::Stop)
-    }
-
-    /// Did it go in at this turn?
-    fn is_new(&self, entry: &Entry) -> bool {
-        self.step < entry.step || self.taken.is_none()
-    }
-}
-
-/// The turns of a search.
-fn turns(events: &[&Record]) -> Vec<Turn> {
-    let mut turns: Vec<Turn> = Vec::new();
-    for record in events {
-        let step = record.step;
-        match &record.event {
-            Event::Queue(queue) if queue.action == QueueAction::Push => {
-                if turns.is_empty() {
-                    turns.push(Turn::default());
-                }
-                if let Some(turn) = turns.last_mut() {
-                    let (node, key) = (queue.node, queue.key);
-                    turn.waiting.push(Entry { node, key, step });
-                    turn.waiting
-                        .sort_by(|a, b| a.key.total_cmp(&b.key).then(a.node.cmp(&b.node)));
-                }
-            }
-            Event::Queue(queue) => {
-                let mut turn = turns.last().cloned().unwrap_or_default();
-                turn.waiting.retain(|entry| entry.node != queue.node);
-                turn.tested.clear();
-                (turn.taken, turn.step, turn.last) = (Some(*queue), step, step);
-                turns.push(turn);
-            }
-            Event::Nearest(nearest) => {
-                if let Some(turn) = turns.last_mut() {
-                    turn.nearest = Some((nearest.object, nearest.t, step));
-                }
-            }
-            event => {
-                if let (Some((object, is_hit)), Some(turn)) = (tested(event), turns.last_mut()) {
-                    // a polygon is tested twice: its plane, and whether the point is inside
-                    turn.tested.retain(|(of, _, _)| *of != object);
-                    turn.tested.push((object, step, is_hit));
-                }
-            }
-        }
-        if let Some(turn) = turns.last_mut() {
-            turn.last = step;
-        }
-    }
-    turns
-}
 
 /// With the first push a dozen.
 const MOST_STAGES: usize = 11;
@@ -134,7 +50,7 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
         body
     };
     let nearest = ray.node.end.and_then(|end| end.object);
-    Table::new(sheet, body, &turns).draw(figure, sheet, &turns, &stages, nearest);
+    Table::new(figure, sheet, body, &turns).draw(figure, sheet, &turns, &stages, nearest);
     Ok(sentences.join(" "))
 }
 
@@ -224,11 +140,6 @@ fn sentences(figure: &Figure, turns: &[Turn], tree: &Tree) -> Vec<String> {
     sentences
 }
 
-/// A node and the t at which the ray enters it.
-fn entry_text(entry: &Entry) -> String {
-    format!("{}: {}", entry.node, brief(entry.key))
-}
-
 #[cfg(test)]
 mod tests {
     use glam::DVec2;
@@ -236,6 +147,7 @@ mod tests {
 
     use super::*;
     use crate::figure::read_back::{ReadBack, ball};
+    use crate::trace::{Event, QueueAction, QueueStep, Record};
 
     fn record(step: u32, action: QueueAction, node: u32, key: f64) -> Record {
         let size = 0;

@@ -2,7 +2,7 @@
 
 use glam::DVec2;
 
-use crate::figure::kinds::heap::{Entry, Turn, entry_text};
+use crate::figure::kinds::heap::turn::{Entry, Turn, entry_text};
 use crate::figure::parts::scenery;
 use crate::figure::parts::visits::Verdict;
 use crate::figure::sheet::canvas::brief;
@@ -69,7 +69,7 @@ impl Table {
         "heap: node and its key, nearest first",
     ];
 
-    pub(super) fn new(sheet: &Sheet, frame: Frame, turns: &[Turn]) -> Self {
+    pub(super) fn new(figure: &Figure, sheet: &Sheet, frame: Frame, turns: &[Turn]) -> Self {
         /// Rows are so far apart at least and at most, in sizes of letters.
         const ROW: [f64; 2] = [1.75, 2.3];
         let gap = match sheet.width {
@@ -94,6 +94,14 @@ impl Table {
         let widest = entries.map(|text| sheet.width_of(text));
         let cell = widest.fold(sheet.width_of("00: 0.00"), f64::max) + 0.6 * sheet.letters;
         let [pop, popped, tested, nearest, _] = Self::HEADS.map(|head| sheet.width_of(head));
+        let boxes = |turn: &Turn| {
+            let names = turn.tested.iter().map(|(id, _, _)| {
+                let name = scenery::name_of(figure.scene, *id);
+                sheet.width_of(name) + 1.3 * sheet.letters
+            });
+            names.sum::<f64>()
+        };
+        let tested = turns.iter().map(boxes).fold(tested, f64::max);
         let compared = turns.iter().map(|turn| sheet.width_of(comparison(turn)));
         let nearest = compared.fold(nearest, f64::max);
         let mut left = frame.min.x;

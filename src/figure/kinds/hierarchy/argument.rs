@@ -2,7 +2,7 @@
 
 use crate::explain::Part;
 use crate::figure::error::FigureError;
-use crate::figure::kinds::hierarchy::Walk;
+use crate::figure::kinds::hierarchy::walk::Walk;
 use crate::figure::parts::scenery;
 use crate::figure::parts::visits::{Turn, Verdict, met};
 use crate::figure::sheet::canvas::brief;

@@ -6,12 +6,14 @@
 mod argument;
 mod nodes;
 mod volumes;
+mod walk;
 
 use std::collections::HashSet;
 
 use crate::figure::error::FigureError;
 use crate::figure::kind::Kind;
 use crate::figure::kinds::hierarchy::argument::Argument;
+use crate::figure::kinds::hierarchy::walk::Walk;
 use crate::figure::parts::bound;
 use crate::figure::parts::scenery;
 use crate::figure::parts::tree::Tree;
@@ -20,9 +22,7 @@ use crate::figure::sheet::canvas::brief;
 use crate::figure::sheet::frame::Frame;
 use crate::figure::sheet::{Sheet, Width};
 use crate::figure::spec::Layer;
-use crate::figure::subject::{DrawnRay, Figure};
-use crate::geometry::MOST_SLABS;
-use crate::structure::Hierarchy;
+use crate::figure::subject::Figure;
 
 pub(super) const KIND: Kind = Kind {
     draw,
@@ -41,14 +41,6 @@ pub(super) const KIND: Kind = Kind {
 
 /// Some 32 leaves stand side by side on a slide, with their numbers; a binary tree has as many nodes above them.
 const MOST_NODES: usize = 63;
-
-/// What is drawn.
-struct Walk<'a> {
-    ray: DrawnRay<'a>,
-    hierarchy: Hierarchy<MOST_SLABS>,
-    tree: Tree,
-    visits: Visits,
-}
 
 fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, FigureError> {
     let ray = figure.ray()?;

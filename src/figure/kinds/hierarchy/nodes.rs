@@ -2,8 +2,8 @@
 
 use glam::DVec2;
 
-use crate::figure::kinds::hierarchy::Walk;
 use crate::figure::kinds::hierarchy::argument::Argument;
+use crate::figure::kinds::hierarchy::walk::Walk;
 use crate::figure::parts::scenery;
 use crate::figure::parts::visits::{Verdict, met};
 use crate::figure::sheet::canvas::brief;

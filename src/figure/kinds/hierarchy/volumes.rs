@@ -2,8 +2,8 @@
 
 use glam::DVec2;
 
-use crate::figure::kinds::hierarchy::Walk;
 use crate::figure::kinds::hierarchy::argument::Argument;
+use crate::figure::kinds::hierarchy::walk::Walk;
 use crate::figure::parts::bound::{self, Slab};
 use crate::figure::parts::outline::{self, Outline, Rim};
 use crate::figure::parts::scenery;

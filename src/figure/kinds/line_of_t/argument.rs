@@ -1,7 +1,7 @@
 //! The stages of the argument that each point of a ray's line has its t.
 
 use crate::explain::Part;
-use crate::figure::kinds::line_of_t::stops::Line;
+use crate::figure::kinds::line_of_t::stops::{Line, Place, Stop};
 use crate::figure::sheet::Sheet;
 use crate::figure::sheet::canvas::{coordinates, quantity};
 use crate::figure::sheet::stage::StageId;
@@ -17,6 +17,15 @@ pub(super) struct Argument {
 
 impl Argument {
     /// `met` is the name of what is hit.
+    /// When a point is marked on the line.
+    pub(super) fn of(&self, stop: &Stop) -> StageId {
+        match stop.place {
+            Place::Cop | Place::PixelCentre => self.window,
+            Place::BehindCop => self.ray,
+            Place::Hit => self.hit,
+        }
+    }
+
     pub(super) fn new(sheet: &mut Sheet, line: &Line, met: Option<&str>) -> Self {
         let delta = line.to_window.direction;
         let window_t = quantity(line.window_t());

@@ -124,7 +124,7 @@ fn the_line(
     });
     for stop in stops {
         let place = space.place(stop.point);
-        sheet.at(stop.stage(argument), |sheet| match stop.place {
+        sheet.at(argument.of(stop), |sheet| match stop.place {
             Place::BehindCop => sheet.ring(Look::RAY.wide(1.5), place),
             Place::Cop | Place::PixelCentre => sheet.dot(Look::RAY, place),
             Place::Hit => sheet.dot(Look::ANSWER, place),
@@ -152,7 +152,7 @@ fn labels(
             (false, "") => continue,
             (false, name) => name.into(),
         };
-        sheet.at(stop.stage(argument), |sheet| {
+        sheet.at(argument.of(stop), |sheet| {
             sheet.label(space.frame, place, DVec2::NEG_Y, text);
         });
     }

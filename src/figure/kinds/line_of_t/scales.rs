@@ -67,7 +67,7 @@ pub(super) fn draw(
             let x = space.place(stop.point).x;
             let from_when = first.max(match stop.place {
                 Place::Cop | Place::PixelCentre => argument.direction,
-                Place::BehindCop | Place::Hit => stop.stage(argument),
+                Place::BehindCop | Place::Hit => argument.of(stop),
             });
             sheet.at(from_when, |sheet| {
                 let [from, to] = [-tick, tick].map(|by| DVec2::new(x, y + by));
@@ -81,7 +81,7 @@ pub(super) fn draw(
     // from the points down to the first scale
     for stop in stops {
         let from = space.place(stop.point);
-        let stage = stop.stage(argument).max(argument.direction);
+        let stage = argument.of(stop).max(argument.direction);
         sheet.at(stage, |sheet| {
             let to = DVec2::new(from.x, rows.scales[0] - tick);
             sheet.line(Look::HELP.wide(0.75), from, to);

@@ -3,8 +3,6 @@
 use glam::DVec3;
 
 use crate::figure::error::FigureError;
-use crate::figure::kinds::line_of_t::argument::Argument;
-use crate::figure::sheet::stage::StageId;
 use crate::figure::subject::Figure;
 use crate::geometry::Ray;
 use crate::trace::{Event, RayEnd, RayStart};
@@ -106,15 +104,6 @@ impl Stop {
             Place::Cop => "COP",
             Place::PixelCentre => "pixel centre",
             Place::Hit => "hit",
-        }
-    }
-
-    /// When it is marked on the line.
-    pub(super) fn stage(&self, argument: &Argument) -> StageId {
-        match self.place {
-            Place::Cop | Place::PixelCentre => argument.window,
-            Place::BehindCop => argument.ray,
-            Place::Hit => argument.hit,
         }
     }
 }

@@ -9,6 +9,7 @@ use crate::figure::parts::scenery;
 use crate::figure::sheet::Sheet;
 use crate::figure::sheet::canvas::quantity;
 use crate::figure::sheet::stage::StageId;
+use crate::figure::spec::Layer;
 use crate::figure::subject::Figure;
 use crate::trace::Transport;
 
@@ -61,7 +62,8 @@ impl Argument {
             format!("A ray from the eye hits {object}.")
         });
         let objects: Vec<String> = objects.collect();
-        let eye = sheet.stage("eye ray", first, objects.join(" "));
+        let shows_ray = figure.shows(Layer::Ray);
+        let eye = shows_ray.then(|| sheet.stage("eye ray", first, objects.join(" ")));
         let nearest = gathered.clone().filter_map(|of| {
             Some(format!(
                 "The {} nearest photons are looked up: the last one sets the radius of the disc, r = {}.",
@@ -79,7 +81,7 @@ impl Argument {
         );
         Self {
             paths,
-            eye: Some(eye),
+            eye,
             nearest: Some(nearest),
             end: sheet.stage(Part::Irradiance, step, sum),
         }

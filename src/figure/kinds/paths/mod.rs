@@ -266,7 +266,7 @@ fn draw_leg(figure: &Figure, sheet: &mut Sheet, space: &Space, leg: &Leg, of: Us
 fn eye_rays(figure: &Figure, sheet: &mut Sheet, space: &Space, section: &Section) {
     let tree = RayTree::new(section.records);
     for node in &tree.rays {
-        let (Some(start), Some(end), [_, Some(at)]) = (node.start, node.end, node.ends_at) else {
+        let (Some(start), Some(end)) = (node.start, node.end) else {
             continue;
         };
         let Some(t) = end.t.or_else(|| space.leaves(&start.ray)) else {
@@ -276,22 +276,20 @@ fn eye_rays(figure: &Figure, sheet: &mut Sheet, space: &Space, section: &Section
         let Some([from, to]) = space.frame.cut_line(ends) else {
             continue;
         };
-        sheet.step(section.step(&section.records[at]), |sheet| {
-            let look = match start.purpose {
-                Purpose::Eye => Look::RAY,
-                Purpose::Refracted => Look::REFRACTED_RAY,
-                _ => Look::REFLECTED_RAY,
-            };
-            sheet.arrow(look, from, to);
-            if start.purpose == Purpose::Eye {
-                let across = (to - from).perp().normalize_or_zero();
-                let up = if 0.0 < across.y { -across } else { across };
-                sheet.label(space.frame, from.lerp(to, 0.45), up, "eye ray");
-            }
-            if figure.shows(Layer::Hits) && end.t.is_some() {
-                sheet.dot(Look::RAY, to);
-            }
-        });
+        let look = match start.purpose {
+            Purpose::Eye => Look::RAY,
+            Purpose::Refracted => Look::REFRACTED_RAY,
+            _ => Look::REFLECTED_RAY,
+        };
+        sheet.arrow(look, from, to);
+        if start.purpose == Purpose::Eye {
+            let across = (to - from).perp().normalize_or_zero();
+            let up = if 0.0 < across.y { -across } else { across };
+            sheet.label(space.frame, from.lerp(to, 0.45), up, "eye ray");
+        }
+        if figure.shows(Layer::Hits) && end.t.is_some() {
+            sheet.dot(Look::RAY, to);
+        }
     }
 }
 

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use crate::explain::Part;
-use crate::figure::kinds::rays::Drawn;
+use crate::figure::kinds::rays::drawn::Drawn;
 use crate::figure::kinds::rays::words;
 use crate::figure::parts::scenery;
 use crate::figure::parts::surface;

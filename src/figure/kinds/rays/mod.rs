@@ -2,6 +2,7 @@
 //! them the paths of light that led to it (slides, "Type of Ray Tracing Algorithm" and "Ray Tracing Algorithm Example").
 
 mod argument;
+mod drawn;
 mod line;
 mod words;
 
@@ -10,6 +11,7 @@ use glam::{DVec2, DVec3};
 use crate::figure::error::FigureError;
 use crate::figure::kind::Kind;
 use crate::figure::kinds::rays::argument::{Argument, Of};
+use crate::figure::kinds::rays::drawn::{Drawn, layer};
 use crate::figure::kinds::rays::line::{end_of, look};
 use crate::figure::parts::scenery;
 use crate::figure::parts::surface;
@@ -19,9 +21,8 @@ use crate::figure::sheet::image::Image;
 use crate::figure::sheet::look::Look;
 use crate::figure::spec::Layer;
 use crate::figure::subject::Figure;
-use crate::figure::traced::Section;
 use crate::figure::view::Space;
-use crate::trace::{Event, Purpose, RayNode, RayTree, RayVerdict};
+use crate::trace::{Event, Purpose, RayVerdict};
 
 pub(super) const KIND: Kind = Kind {
     draw,
@@ -41,91 +42,6 @@ pub(super) const KIND: Kind = Kind {
     ],
     more: &[Layer::Normals, Layer::Angles, Layer::Legend],
 };
-
-/// The rays that are drawn.
-pub(super) struct Drawn<'a> {
-    pub(super) trees: Vec<(Section<'a>, RayTree)>,
-    /// Each by its tree and its place there.
-    pub(super) rays: Vec<(usize, usize)>,
-    /// Does a square show the colour of the pixel?
-    pub(super) shows_colour: bool,
-}
-
-impl<'a> Drawn<'a> {
-    fn find(figure: &Figure<'a>) -> Result<Self, FigureError> {
-        let mut sections = figure.first.paths();
-        let paths = sections.len();
-        for pixel in figure.pixels() {
-            sections.push(figure.section_of(pixel)?);
-        }
-        if sections.is_empty() {
-            figure.pixel()?;
-        }
-        let trees: Vec<_> = sections
-            .into_iter()
-            .map(|section| (section, RayTree::new(section.records)))
-            .collect();
-        let is_drawn = |node: &RayNode| match (node.start, node.end) {
-            (Some(start), Some(end)) => {
-                figure.shows(layer(start.purpose)) && end.verdict != RayVerdict::DepthLimit
-            }
-            _ => false,
-        };
-        let rays = trees.iter().enumerate().flat_map(|(tree, (_, of))| {
-            let places = of.rays.iter().enumerate();
-            places
-                .filter(|(_, node)| is_drawn(node))
-                .map(move |(place, _)| (tree, place))
-        });
-        Ok(Self {
-            rays: rays.collect(),
-            // one pixel, whose colour is not shown by the picture beside it nor by what reflects
-            shows_colour: paths == 0
-                && trees.len() == 1
-                && figure.shows(Layer::Window)
-                && !figure.shows(Layer::Angles)
-                && !figure.spec.show.contains(&Layer::Image),
-            trees,
-        })
-    }
-
-    /// The rays with their places, and where each comes from.
-    fn nodes(&self) -> impl Iterator<Item = (usize, &Section<'a>, &RayNode)> {
-        self.rays.iter().enumerate().map(|(place, (tree, node))| {
-            let (section, tree) = &self.trees[*tree];
-            (place, section, &tree.rays[*node])
-        })
-    }
-
-    /// Where rays hit surfaces whose angles are shown, each with the place of its ray.
-    fn surfaces(&self, figure: &Figure) -> Vec<(usize, surface::Met<'a>)> {
-        let met = |(place, section, node): (usize, &Section<'a>, &RayNode)| {
-            Some((place, surface::Met::shown(figure, section.records, node)?))
-        };
-        self.nodes().filter_map(met).collect()
-    }
-
-    /// Snell's law at the first surface that a ray passes.
-    fn law(&self, figure: &Figure) -> Option<(usize, surface::Law)> {
-        let surfaces = self.surfaces(figure);
-        surfaces
-            .iter()
-            .find_map(|(place, met)| Some((*place, met.law()?)))
-    }
-
-    fn has_total_reflection(&self, figure: &Figure) -> bool {
-        self.surfaces(figure).iter().any(|(_, met)| met.is_total())
-    }
-
-    /// The place of the ray that spawned one.
-    fn parent(&self, place: usize) -> Option<usize> {
-        let (tree, node) = self.rays[place];
-        let nodes = &self.trees[tree].1.rays;
-        let parent = nodes[node].parent?;
-        let is_parent = |(of, at): &(usize, usize)| *of == tree && nodes[*at].id == parent;
-        self.rays.iter().position(is_parent)
-    }
-}
 
 fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, FigureError> {
     let drawn = Drawn::find(figure)?;
@@ -196,16 +112,6 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
         sentences.extend(surface::in_words(section.records, node));
     }
     Ok(sentences.join(" "))
-}
-
-fn layer(purpose: Purpose) -> Layer {
-    match purpose {
-        Purpose::Eye => Layer::Ray,
-        Purpose::Shadow => Layer::ShadowRays,
-        Purpose::Reflected | Purpose::Refracted | Purpose::Scattered => Layer::Secondary,
-        Purpose::Light => Layer::LightPaths,
-        Purpose::Connection => Layer::Connections,
-    }
 }
 
 /// Which looks there are in this figure.

@@ -1,7 +1,7 @@
 //! The stages in which the shade of a point comes together.
 
 use crate::explain::Part;
-use crate::figure::kinds::shading::{Point, counts};
+use crate::figure::kinds::shading::point::{Point, counts};
 use crate::figure::parts::angle::degrees;
 use crate::figure::sheet::Sheet;
 use crate::figure::sheet::canvas::{coordinates, quantity};

@@ -3,6 +3,7 @@
 //! I = ambient + light·[colour·diffuse·max(0, N·L) + specular·max(0, R·V)^shininess]
 
 mod argument;
+mod point;
 mod table;
 
 use glam::DVec3;
@@ -10,6 +11,7 @@ use glam::DVec3;
 use crate::figure::error::FigureError;
 use crate::figure::kind::Kind;
 use crate::figure::kinds::shading::argument::Argument;
+use crate::figure::kinds::shading::point::{Point, find};
 use crate::figure::parts::angle::{Angle, degrees};
 use crate::figure::parts::scenery;
 use crate::figure::sheet::Sheet;
@@ -20,8 +22,7 @@ use crate::figure::sheet::text::formula;
 use crate::figure::spec::Layer;
 use crate::figure::subject::Figure;
 use crate::figure::view::Space;
-use crate::scene::{Emission, Material};
-use crate::trace::{Event, LightTerm, Shade, Visibility};
+use crate::trace::Visibility;
 
 pub(super) const KIND: Kind = Kind {
     draw,
@@ -29,22 +30,6 @@ pub(super) const KIND: Kind = Kind {
     usual: &[Layer::Objects, Layer::Names, Layer::Angles, Layer::Numbers],
     more: &[],
 };
-
-/// What was recorded at the point, and what follows from it.
-struct Point<'a> {
-    shade: &'a Shade,
-    shade_step: u32,
-    light: &'a LightTerm,
-    light_step: u32,
-    /// V: back along the ray.
-    to_viewer: DVec3,
-    /// R = 2(N·L)N − L.
-    mirrored: DVec3,
-    /// Of what the surface is made.
-    material: &'a Material,
-    /// The light's colour; none for a light with a power.
-    colour: Option<DVec3>,
-}
 
 fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, FigureError> {
     /// Of the width at most; the rest is for the numbers.
@@ -73,60 +58,6 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
         scenery::names(figure, sheet, &space);
     }
     Ok(in_words(figure, &point))
-}
-
-fn find<'a>(figure: &Figure<'a>) -> Result<Point<'a>, FigureError> {
-    let drawn = figure.ray()?;
-    let shade = drawn.events.iter().find_map(|record| match &record.event {
-        Event::Shade(shade) => Some((shade, record.step)),
-        _ => None,
-    });
-    let (Some((shade, shade_step)), Some(start)) = (shade, drawn.node.start) else {
-        return Err(FigureError::new(
-            "pixel",
-            "the ray hits no object, so no point is shaded",
-            "name a pixel, or a \"ray\" of it, that hits an object",
-        ));
-    };
-    let terms = drawn
-        .events
-        .iter()
-        .filter_map(|record| match &record.event {
-            Event::LightTerm(term) => Some((term, record.step)),
-            _ => None,
-        });
-    let terms: Vec<_> = terms.collect();
-    let counts = |(term, _): &&(&LightTerm, u32)| counts(term);
-    let Some(&(light, light_step)) = terms.iter().find(counts).or(terms.first()) else {
-        return Err(FigureError::new(
-            "scene",
-            "the scene has no light, so the shade has no terms to draw",
-            "add a light to the scene",
-        ));
-    };
-    let to_light = light.term.to_light;
-    let lamp = figure.scene.lights.get(light.light as usize);
-    Ok(Point {
-        material: figure.scene.material_of(shade.object),
-        colour: lamp.and_then(|lamp| match lamp.emission {
-            Emission::Colour(colour) => Some(colour),
-            Emission::Power(_) => None,
-        }),
-        shade,
-        shade_step,
-        light,
-        light_step,
-        to_viewer: -start.ray.direction,
-        mirrored: 2.0 * light.term.n_dot_l * shade.normal - to_light,
-    })
-}
-
-/// Do the terms of the light count?
-fn counts(light: &LightTerm) -> bool {
-    matches!(
-        light.visibility,
-        Visibility::Visible | Visibility::NotTested
-    )
 }
 
 /// How long a unit vector is drawn: a little more than half the largest side of the object that was hit.

@@ -3,7 +3,7 @@
 use glam::{DVec2, DVec3};
 
 use crate::figure::kinds::shading::argument::Argument;
-use crate::figure::kinds::shading::{Point, counts};
+use crate::figure::kinds::shading::point::{Point, counts};
 use crate::figure::parts::angle::degrees;
 use crate::figure::sheet::canvas::{coordinates, quantity};
 use crate::figure::sheet::frame::Frame;
