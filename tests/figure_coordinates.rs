@@ -81,7 +81,7 @@ fn text_at(document: &Document, text: &str) -> DVec2 {
 fn has(points: &[DVec2], at: DVec2) {
     let is_near = |point: &DVec2| point.distance(at) <= DRAWN;
     assert!(
-        points.iter().any(|point| is_near(point)),
+        points.iter().any(is_near),
         "nothing at {at} among {points:?}"
     );
 }
