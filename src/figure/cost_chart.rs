@@ -7,6 +7,7 @@ use crate::figure::parts::ticks;
 use crate::figure::sheet::canvas::{Canvas, Rendition};
 use crate::figure::sheet::frame::Frame;
 use crate::figure::sheet::look::Look;
+use crate::figure::sheet::stage::StageId;
 use crate::figure::sheet::{Anchor, Sheet, Width};
 
 /// Between letters and what they belong to, in sizes of the letters.
@@ -90,8 +91,12 @@ pub(super) fn cost_bars(sheet: &mut Sheet, frame: Frame, mut rows: Vec<CostRow>)
     let top = frame.min.y + (LINE + BETWEEN) * em;
     legend(sheet, DVec2::new(axis.start, frame.min.y + 0.5 * LINE * em));
     // told from the dearest to the cheapest
-    for (place, row) in rows.iter().enumerate().rev() {
-        let stage = sheet.stage(row.name.clone(), None, sentence(row));
+    let dearest_first = rows.iter().rev();
+    let mut stages: Vec<StageId> = dearest_first
+        .map(|row| sheet.stage(row.name.clone(), None, sentence(row)))
+        .collect();
+    stages.reverse();
+    for (place, (row, stage)) in rows.iter().zip(stages).enumerate() {
         sheet.at(stage, |sheet| {
             bars(sheet, &axis, row, top + place as f64 * ROW * em);
         });
