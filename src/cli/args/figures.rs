@@ -81,16 +81,16 @@ pub(crate) struct FigureArgs {
     #[arg(long)]
     pub(crate) pdf: bool,
     /// Draw the trace only up to this step of the log
-    #[arg(long, value_name = "N", conflicts_with_all = ["stage", "steps", "stages"])]
+    #[arg(long, help_heading = "Stages", value_name = "N", conflicts_with_all = ["stage", "steps", "stages"])]
     pub(crate) step: Option<u32>,
     /// Draw the figure only up to this stage of its argument
-    #[arg(long, value_name = "N", conflicts_with_all = ["steps", "stages"])]
+    #[arg(long, help_heading = "Stages", value_name = "N", conflicts_with_all = ["steps", "stages"])]
     pub(crate) stage: Option<u32>,
     /// Write a file for each stage of the figure's argument: F-1.svg, F-2.svg, …; or a PDF with a page for each
-    #[arg(long)]
+    #[arg(long, help_heading = "Stages")]
     pub(crate) steps: bool,
     /// Write no figure; print its stages, with what each says
-    #[arg(long, conflicts_with_all = ["steps", "output", "png", "pdf"])]
+    #[arg(long, help_heading = "Stages", conflicts_with_all = ["steps", "output", "png", "pdf"])]
     pub(crate) stages: bool,
     /// Draw from this log of the figure, without its scene
     #[arg(long, value_name = "F.jsonl")]
