@@ -183,11 +183,11 @@ fn the_working_is_told_in_the_numbers_of_the_frame() {
         "x = [e − (e·z)·z]/|z × e| = [(0, 1, 0) − 0·(0.6, 0, 0.8)]/1 = (0, 1, 0), with e the axis of the \
          smallest component of Δ",
         "y = z × x = [z × e]/|z × e| = (−0.8, 0, 0.6)",
-        "aligned point: center of ball (6, 1, 8) → (1, 0, 10)",
-        "c = |o − center|² − r² = (−1)² + 0² + (−10)² − 2² = 97",
+        "aligned point: centre of ball (6, 1, 8) → (1, 0, 10)",
+        "c = |o − centre|² − r² = (−1)² + 0² + (−10)² − 2² = 97",
         "t = (−b ± √12)/2a = (20 ± 3.4641016)/2 = 8.2679492 and 11.732051",
         "at x = y = 0 (ii) is (z − c_z)² = r² − c_x² − c_y² = 2² − 1² − 0² = 3",
-        "aligned point: center of box (3, 0, 4) → (0, 0, 5)",
+        "aligned point: centre of box (3, 0, 4) → (0, 0, 5)",
         "aligned point: half axis 0 of box (1, 0, 0) → (0, −0.8, 0.6)",
         "near, far of the slab across z, turned to (A, B, C) = (0, 0.6, 0.8): near = −D/C = −(−3)/0.8 = 3.75, \
          far = −D/C = −(−5)/0.8 = 6.25",
