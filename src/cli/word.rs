@@ -18,7 +18,7 @@ pub(crate) fn word<T: Word>(value: T) -> &'static str {
     known.map_or("", |(_, word, _)| word)
 }
 
-/// The choice of an option, as it was written; where nobody wrote it, as the option's default.
+/// The choice of an option as it was written, or the default of the option.
 pub(crate) fn choice<T: Word>(option: &str, given: Option<T>, default: T) -> String {
     match given {
         Some(given) => format!("{option} {}", word(given)),

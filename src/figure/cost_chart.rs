@@ -151,7 +151,7 @@ impl Axis {
         let at = DVec2::new;
         sheet.line(Look::THIN, at(self.start, top), at(self.start, y));
         sheet.line(Look::THIN, at(self.start, y), at(self.end, y));
-        // the longest label with some air: every so many ticks have one
+        // the longest label with some air: only some ticks have one
         let last = self.ticks.len() - 1;
         let label = sheet.width_of(grouped_sum(self.ticks[last])) + GAP * em;
         let apart = (self.end - self.start) / last as f64;

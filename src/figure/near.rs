@@ -10,7 +10,7 @@ use crate::trace::{Event, Record};
 /// A scene with more objects is not shown whole.
 const WHOLE: usize = 200;
 
-/// Of a larger scene so many are shown.
+/// The number of objects that are shown of a larger scene.
 const MOST: usize = 60;
 
 /// Straight pieces of rays, from their start to their end.

@@ -236,7 +236,7 @@ fn paths(
 fn draw_leg(figure: &Figure, sheet: &mut Sheet, space: &Space, leg: &Leg, of: Use) {
     let ray = &leg.start.ray;
     let end = match (leg.arrival, leg.end.t) {
-        // it goes on behind the eye, where nobody looks
+        // it goes on behind the eye, which the figure does not show
         (Some(arrival), _) => Some(arrival.aperture),
         (None, t) => t.map(|t| ray.at(t)),
     };
