@@ -19,7 +19,7 @@ pub(super) struct Argument {
 }
 
 impl Argument {
-    /// So many slabs have a stage each: a figure has a dozen stages at most.
+    /// Up to this number of slabs each has a stage of its own: a figure has a dozen stages at most.
     const EACH: usize = 9;
 
     pub(super) fn new(sheet: &mut Sheet, joined: &Joined, projection: &Projection) -> Self {

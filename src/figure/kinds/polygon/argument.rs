@@ -20,7 +20,7 @@ pub(super) struct Argument {
 }
 
 impl Argument {
-    /// So many crossings have a stage each: a figure has a dozen stages at most.
+    /// Up to this number of crossings each has a stage of its own: a figure has a dozen stages at most.
     const EACH: u32 = 4;
 
     pub(super) fn new(sheet: &mut Sheet, tested: &Tested, name: &str, along: Axis) -> Self {

@@ -61,7 +61,7 @@ const PATTERNS: [Dash; 6] = [
 ];
 
 impl Argument {
-    /// So many slabs have a stage each: a figure has a dozen stages at most.
+    /// Up to this number of slabs each has a stage of its own: a figure has a dozen stages at most.
     const EACH: usize = 9;
 
     pub(super) fn new(figure: &Figure, sheet: &mut Sheet, found: &SlabTests) -> Self {

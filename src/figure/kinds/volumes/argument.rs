@@ -46,7 +46,7 @@ impl Argument {
 }
 
 impl Rays {
-    /// So many rays have a stage each: a figure has a dozen stages at most.
+    /// Up to this number of rays each has a stage of its own: a figure has a dozen stages at most.
     const EACH: usize = 7;
 
     fn new(sheet: &mut Sheet, of: &str, panels: &[Panel]) -> Self {
