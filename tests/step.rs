@@ -3,6 +3,7 @@
 
 mod by_hand;
 mod filtered;
+mod moves;
 mod questions;
 mod state;
 mod targets;

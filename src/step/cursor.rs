@@ -164,12 +164,8 @@ impl Cursor {
     /// simple search, what is less stands for it.
     #[must_use]
     pub fn at_level(self, log: &StepLog, level: Level) -> Self {
-        let around = |level: Level| {
-            let mut with_above = std::iter::once(self.here).chain(log.above(self.here));
-            with_above.find(|&step| log.step(step).level == level && !log.step(step).is_fold())
-        };
         let wanted = match level {
-            Level::Section | Level::Ray => around(level).map(|here| Self::at(log, here)),
+            Level::Section | Level::Ray => self.around(log, level).map(|here| Self::at(log, here)),
             Level::Place | Level::Test | Level::Term => None,
         };
         wanted.unwrap_or_else(|| {
@@ -178,6 +174,12 @@ impl Cursor {
             let here = step_with(log, grain, start).unwrap_or(self.here);
             Self { here, grain }
         })
+    }
+
+    /// The innermost step of a level that is this one or holds it.
+    pub(in crate::step) fn around(self, log: &StepLog, level: Level) -> Option<usize> {
+        let mut with_above = std::iter::once(self.here).chain(log.above(self.here));
+        with_above.find(|&step| log.step(step).level == level && !log.step(step).is_fold())
     }
 
     /// The next of some steps, which are in the order of the log and none in another; `None` behind the last.

@@ -18,7 +18,9 @@
 //!                     ├─ change, who        what a step changed, old → new; which step set a quantity
 //!                     ├─ address, same      a step by the log's number; the same place in another log
 //!                     ├─ question  what a step asks before it shows its verdict, with choices and reasons
-//!                     └─ words, headline    the lines of `explain` that tell a step, and its title
+//!                     ├─ words, headline    the lines of `explain` that tell a step, and its title
+//!                     ├─ told    all that a step says, the same in every face
+//!                     └─ moves   the moves from every step as tables, for a face that has no log
 //! keys      the moves by their keys and words: one table for every face
 //! ```
 //!
@@ -35,6 +37,7 @@ mod headline;
 mod interest;
 mod keys;
 mod level;
+mod moves;
 mod quantity;
 mod question;
 mod same;
@@ -46,6 +49,7 @@ mod states;
     reason = "the file is found by the name of its idea"
 )]
 mod step;
+mod told;
 mod tree;
 mod verdict;
 mod who;
@@ -59,11 +63,13 @@ pub use headline::{headline, subject};
 pub use interest::Interest;
 pub use keys::{Command, CommandError, KEYS, Key, PAGE, Shift, commands};
 pub use level::Level;
+pub use moves::{Moves, MovesFrom};
 pub use quantity::{Held, Quantity, Value};
-pub use question::{Asks, Choice, Question};
+pub use question::{Asks, Choice, LETTERS, Question};
 pub use same::same_place;
 pub use state::{RayState, State};
 pub use step::Step;
+pub use told::Told;
 pub use tree::StepLog;
 pub use verdict::Became;
 pub use who::{Asked, Setter};

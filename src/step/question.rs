@@ -18,7 +18,7 @@ mod shade;
 mod shadow;
 mod slab;
 
-pub use choice::{Asks, Choice, Question};
+pub use choice::{Asks, Choice, LETTERS, Question};
 
 use crate::step::level::Level;
 use crate::step::question::at::At;

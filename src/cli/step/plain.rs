@@ -3,11 +3,11 @@
 use std::io::Write;
 
 use raystep::Page;
-use raystep::explain::{Tone, render};
+use raystep::explain::render;
 use raystep::scene::printable;
 use raystep::step::{
-    Asked, Command, Cursor, Filter, Interest, KEYS, Level, Move, PAGE, Question, Shift, StepLog,
-    StepWords, headline, subject,
+    Asked, Command, Cursor, Filter, KEYS, LETTERS, Move, PAGE, Question, Shift, StepLog, StepWords,
+    subject,
 };
 
 use crate::cli::Error;
@@ -31,7 +31,7 @@ pub(crate) enum Next {
 /// A reader in a log.
 pub(crate) struct Face<'a, 'l> {
     log: &'a StepLog<'l>,
-    told: StepWords<'l>,
+    words: StepWords<'l>,
     pub(crate) cursor: Cursor,
     pub(crate) filter: Option<Filter>,
     /// Are questions asked?
@@ -40,9 +40,6 @@ pub(crate) struct Face<'a, 'l> {
     asked: Option<Question>,
     targets: Vec<usize>,
 }
-
-/// The letters of the choices.
-const LETTERS: [char; 4] = ['a', 'b', 'c', 'd'];
 
 impl<'a, 'l> Face<'a, 'l> {
     /// At a step of a log.
@@ -54,7 +51,7 @@ impl<'a, 'l> Face<'a, 'l> {
     ) -> Self {
         let mut face = Self {
             log,
-            told: StepWords::new(log),
+            words: StepWords::new(log),
             cursor,
             filter: None,
             predicts,
@@ -216,9 +213,9 @@ impl<'a, 'l> Face<'a, 'l> {
                 text + &format!("{letter}: {}\n", choice.text)
             });
         let text = format!(
-            "\n{}\n{}question: {}\n{choices}answer with a letter, or skip\n",
+            "\n{}\n{}\nquestion: {}\n{choices}answer with a letter, or skip\n",
             subject(self.log, here),
-            self.place(),
+            self.log.place_text(here),
             question.text
         );
         self.asked = Some(question);
@@ -234,89 +231,27 @@ impl<'a, 'l> Face<'a, 'l> {
             self.asked = Some(question);
             return say("the question has no such choice", out);
         }
-        let right = LETTERS[question.right];
-        let verdict = if choice == question.right {
-            format!("right: {right}\n")
-        } else {
-            format!("wrong: {}; {right} is right\n", LETTERS[choice])
-        };
-        let choices = question.choices.iter().enumerate();
-        let text = choices.fold(verdict, |text, (place, of)| {
-            let word = if place == question.right {
-                "right"
-            } else {
-                "wrong"
-            };
-            text + &format!("{} is {word}: {}\n", LETTERS[place], of.reason)
-        });
+        let mut text = format!("{}\n", question.verdict(choice));
+        for reason in question.reasons() {
+            text.push_str(&reason);
+            text.push('\n');
+        }
         write(&text, out)?;
         self.show(out)
     }
 
     /// The step: its title, where it is, its words, and what it changed.
     pub(crate) fn show(&self, out: &mut Output) -> Result<(), Error> {
-        let log = self.log;
-        let here = self.cursor.here;
-        let step = log.step(here);
-        let title = headline(log, here);
-        let mut text = format!("\n{title}\n{}", self.place());
-        let mut lines = self.told.of(log, here);
-        // a ray's heading is its title already
-        lines.retain(|line| line.tone != Tone::Heading || !title.starts_with(&line.text));
-        text.push_str(&render::plain(&Page { lines }, render::no_hint));
-        let changes = log.changes(here);
-        let mut facts: Vec<String> = changes
-            .iter()
-            .map(|change| {
-                let ray = change
-                    .ray
-                    .map_or(String::new(), |ray| format!("ray {ray}, "));
-                format!("changed: {ray}{}", change.text(log.scene))
-            })
-            .collect();
-        let interest = self.interest(here);
-        facts.extend(interest.map(|interest| format!("of interest: {interest}")));
-        facts.extend(match step.children.len() {
-            0 => None,
-            1 => Some("holds 1 step".into()),
-            many => Some(format!("holds {many} steps")),
-        });
+        let told = self.log.told(&self.words, self.cursor.here);
+        let mut text = format!("\n{}\n{}\n", told.title, told.place);
+        let facts = told.facts();
+        let page = Page { lines: told.lines };
+        text.push_str(&render::plain(&page, render::no_hint));
         for fact in facts {
             text.push_str(&fact);
             text.push('\n');
         }
         write(&text, out)
-    }
-
-    /// Why the step is a target by itself.
-    fn interest(&self, here: usize) -> Option<Interest> {
-        let of = self.log.interests();
-        let step = self.log.step(here);
-        let first = of.partition_point(|(event, _)| *event < step.events.start);
-        let landed = of[first..]
-            .iter()
-            .take_while(|(event, _)| step.events.contains(event));
-        let landed = landed.filter(|(event, _)| self.log.landing(*event) == here);
-        landed.last().map(|&(_, interest)| interest)
-    }
-
-    /// `level test, steps 2 to 3 of 32, in ray 0`
-    fn place(&self) -> String {
-        let log = self.log;
-        let step = log.step(self.cursor.here);
-        let mut with_above = std::iter::once(self.cursor.here).chain(log.above(self.cursor.here));
-        let section = with_above.find(|&step| log.step(step).level == Level::Section);
-        let end = section.map_or(step.events.end, |section| log.step(section).events.end);
-        let last_of_all = log.records[end - 1].step;
-        let first = address_of(log, step.events.start);
-        let last = log.records[step.events.end - 1].step;
-        let steps = match step.events.len() {
-            1 => format!("step {first} of {last_of_all}"),
-            _ => format!("steps {first} to {last} of {last_of_all}"),
-        };
-        let ray = log.records[step.lead].ray;
-        let ray = ray.map_or(String::new(), |ray| format!(", ray {ray}"));
-        format!("{}, {steps}{ray}\n", step.level)
     }
 
     /// All that is known after the step.

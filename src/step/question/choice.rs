@@ -107,7 +107,32 @@ pub struct Question {
 /// The most choices of a question.
 const MOST_CHOICES: usize = 4;
 
+/// The letters of the choices, by their places.
+pub const LETTERS: [char; MOST_CHOICES] = ['a', 'b', 'c', 'd'];
+
 impl Question {
+    /// What is said to an answer first: `right: a`, `wrong: b; a is right`.
+    pub fn verdict(&self, choice: usize) -> String {
+        let right = LETTERS[self.right];
+        if choice == self.right {
+            format!("right: {right}")
+        } else {
+            format!("wrong: {}; {right} is right", LETTERS[choice])
+        }
+    }
+
+    /// Why each choice is right or wrong: `a is right: The discriminant is 4.`
+    pub fn reasons(&self) -> impl Iterator<Item = String> {
+        self.choices.iter().enumerate().map(|(place, choice)| {
+            let word = if place == self.right {
+                "right"
+            } else {
+                "wrong"
+            };
+            format!("{} is {word}: {}", LETTERS[place], choice.reason)
+        })
+    }
+
     /// A question with its right choice and the wrong ones, the likelier ones first. A wrong one that is like another is left
     /// out; without any there is no question.
     ///
