@@ -73,10 +73,16 @@ pub fn draw(
     if rendition.titled {
         body = sheet.heading(body, &figure.title());
     }
-    if spec.show.contains(&Layer::Image) {
-        body = picture::beside(&figure, &mut sheet, body)?;
-    }
+    let beside = spec
+        .show
+        .contains(&Layer::Image)
+        .then(|| picture::room_beside(&sheet, body));
+    let body = beside.map_or(body, |[left, _]| left);
     let description = (kind.draw)(&figure, &mut sheet, body)?;
+    if let Some([_, right]) = beside {
+        // the picture tells what becomes of the pixel
+        sheet.at_last(|sheet| picture::beside(&figure, sheet, right))?;
+    }
     let marks = sheet.marks.iter().map(|mark| mark.since.step);
     let words = sheet.words.iter().map(|of| of.since.step);
     let labels = sheet.labels.iter().map(|of| of.since.step);

@@ -248,14 +248,16 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
     };
     let body = if figure.shows(Layer::Legend) {
         let mut entries = vec![
-            (Look::LIGHT_RAY, "path of light"),
-            (Look::RAY, "path from the eye"),
-            (Look::CONNECTION, "connecting line"),
+            (Some(argument.light), Look::LIGHT_RAY, "path of light"),
+            (Some(argument.eye), Look::RAY, "path from the eye"),
         ];
-        if both.lines.iter().any(|line| !line.connection.visible) {
-            entries.push((Look::BLOCKED_CONNECTION, "blocked"));
+        if argument.free.is_some() {
+            entries.push((argument.free, Look::CONNECTION, "connecting line"));
         }
-        sheet.legend(body, &entries)
+        if argument.blocked.is_some() {
+            entries.push((argument.blocked, Look::BLOCKED_CONNECTION, "blocked"));
+        }
+        sheet.staged_legend(body, &entries)
     } else {
         body
     };

@@ -13,7 +13,7 @@ use crate::figure::parts::scenery;
 use crate::figure::sheet::Sheet;
 use crate::figure::sheet::canvas::quantity;
 use crate::figure::sheet::frame::Frame;
-use crate::figure::sheet::look::{Colour, Look};
+use crate::figure::sheet::look::{Colour, Fill, Look};
 use crate::figure::sheet::stage::StageId;
 use crate::figure::sheet::text::formula;
 use crate::figure::spec::Layer;
@@ -124,7 +124,12 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
             outline::rim(sheet, &space, &rim, Look::THIN.wide(1.25));
         });
         sheet.at(argument.sum, |sheet| {
-            outline::rim(sheet, &space, &rim, Look::ANSWER);
+            // a filled disc would tint the photons
+            let ring = Look {
+                fill: Fill::Empty,
+                ..Look::ANSWER
+            };
+            outline::rim(sheet, &space, &rim, ring);
         });
         photons(sheet, &space, (gathering, radius), &argument);
     });

@@ -191,8 +191,8 @@ fn hits(
             sheet.event(listed.step, |sheet| {
                 sheet.ring(Look::MET, at);
                 let beyond = match sheet.width {
-                    Width::Book => format!("hit beyond cell {}", place + 1),
-                    Width::Slide => "beyond its cell".into(),
+                    Width::Book => format!("beyond cell {}", place + 1),
+                    Width::Slide => "beyond".into(),
                 };
                 sheet.label(frame, at, plan.above(), beyond);
             });

@@ -185,21 +185,26 @@ fn draw_lists(
     lattice: &Lattice,
     lists: &[OnLists],
 ) {
-    let mut cells: BTreeMap<[u32; 3], (u32, Vec<String>)> = BTreeMap::new();
+    let mut cells: BTreeMap<[u32; 3], Vec<(u32, String)>> = BTreeMap::new();
     for of in lists {
         for (cell, step) in &of.cells {
-            let (last, names) = cells.entry(*cell).or_default();
+            let names = cells.entry(*cell).or_default();
             if let (true, Some(area)) = (names.is_empty(), lattice.area(*cell, space)) {
                 sheet.event(*step, |sheet| sheet.rectangle(plan::EMPTY, area));
             }
-            *last = *step;
-            names.push(scenery::name_of(figure.scene, of.object));
+            names.push((*step, scenery::name_of(figure.scene, of.object)));
         }
     }
-    for (cell, (step, names)) in cells {
-        if let Some(area) = lattice.area(cell, space) {
-            sheet.event(step, |sheet| {
-                sheet.label_in(area, format!("{{{}}}", names.join(", ")));
+    for (cell, names) in cells {
+        let Some(area) = lattice.area(cell, space) else {
+            continue;
+        };
+        let last = names.len() - 1;
+        for (place, (step, name)) in names.iter().enumerate() {
+            let end = if place == last { "}" } else { "" };
+            sheet.event(*step, |sheet| match place {
+                0 => sheet.label_in(area, format!("{{{name}{end}")),
+                _ => sheet.label_goes_on(format!(", {name}{end}")),
             });
         }
     }

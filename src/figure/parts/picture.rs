@@ -12,18 +12,22 @@ use crate::figure::sheet::{Anchor, Sheet};
 use crate::figure::subject::Figure;
 use crate::trace::{Purpose, RayTree, RayVerdict, Record};
 
-/// Draws the picture at the right of a frame, and gives back what is left of the frame.
+/// The frame of a figure and that of the picture at its right.
+pub(in crate::figure) fn room_beside(sheet: &Sheet, frame: Frame) -> [Frame; 2] {
+    /// Of the width: the figure itself is what matters.
+    const SHARE: f64 = 0.64;
+    frame.split(SHARE, 2.0 * sheet.letters)
+}
+
+/// Draws the picture at the right of a figure.
 ///
 /// # Errors
 /// There is no picture in the log.
 pub(in crate::figure) fn beside(
     figure: &Figure,
     sheet: &mut Sheet,
-    frame: Frame,
-) -> Result<Frame, FigureError> {
-    /// Of the width: the figure itself is what matters.
-    const SHARE: f64 = 0.64;
-    let [left, right] = frame.split(SHARE, 2.0 * sheet.letters);
+    right: Frame,
+) -> Result<(), FigureError> {
     let line = sheet.line_height();
     let room = Frame {
         min: right.min,
@@ -39,7 +43,7 @@ pub(in crate::figure) fn beside(
         let below = DVec2::new(whole.middle().x, whole.max.y + 0.75 * line);
         sheet.text(Anchor::Middle, below, format!("pixel ({x}, {y})"));
     }
-    Ok(left)
+    Ok(())
 }
 
 /// Draws the picture as large as the frame allows, what became of the marked pixels at its right, and says it in words.

@@ -108,7 +108,7 @@ pub(in crate::figure) fn names_of(
 /// A name in the middle of an outline, or at its rim if there is no room.
 pub(in crate::figure) fn name_at(sheet: &mut Sheet, space: &Space, rim: &Rim, name: &str) {
     if let Some(middle) = middle_of(space, rim) {
-        name_around(sheet, space, middle, name);
+        name_around(sheet, space, (rim, middle), name);
     }
 }
 
@@ -123,11 +123,17 @@ pub(in crate::figure) fn middle_of(space: &Space, rim: &Rim) -> Option<DVec2> {
     (!seen.is_empty()).then(|| seen.iter().sum::<DVec2>() / seen.len() as f64)
 }
 
-/// A name with its middle there, or near there if there is no room.
-pub(in crate::figure) fn name_around(sheet: &mut Sheet, space: &Space, middle: DVec2, name: &str) {
+/// The name of an outline with its middle there, or near there if there is no room.
+pub(in crate::figure) fn name_around(
+    sheet: &mut Sheet,
+    space: &Space,
+    (rim, middle): (&Rim, DVec2),
+    name: &str,
+) {
     // a label begins beside its point; from a little left of the middle it comes to stand on it
     let start = middle - DVec2::new(0.5 * sheet.width_of(name) + 0.55 * sheet.letters, 0.0);
-    sheet.name(space.frame, start, DVec2::X, name);
+    let outline = rim.points().into_iter().map(|at| space.place_flat(at));
+    sheet.name(space.frame, start, DVec2::X, (name, outline.collect()));
 }
 
 /// A name as a figure has room for it: no control characters, at most some twenty letters.

@@ -34,6 +34,8 @@ struct Candidate {
 const DIRECTIONS: u32 = 16;
 /// How often it is tried further away.
 const RINGS: u32 = 14;
+/// Between the parts of a label, in sizes of its letters.
+const HAIR: f64 = 0.06;
 /// The number of names of objects that are a crowd.
 const CROWD: usize = 20;
 
@@ -65,29 +67,28 @@ pub(in crate::figure) fn place_labels(sheet: &mut Sheet) {
                 text,
             });
         };
-        let Some((later, more)) = label.later else {
-            words(
-                label.since,
-                place.frame.middle().x,
-                Anchor::Middle,
-                label.text,
-            );
+        if label.later.is_empty() {
+            let middle = place.frame.middle().x;
+            words(label.since, middle, Anchor::Middle, label.text);
             continue;
-        };
-        // both parts begin where they meet, whatever the width of a page's letters
-        let meet = place.frame.min.x + label.text.width() * label.size;
+        }
+        // the first two parts begin where they meet, whatever the width of a page's letters
+        let mut meet = place.frame.min.x + label.text.width() * label.size;
         words(label.since, meet, Anchor::End, label.text);
-        words(later, meet, Anchor::Start, more);
+        // a hair between letters whose widths are only known about
+        meet += HAIR * label.size;
+        for (later, more) in label.later {
+            let width = more.width() * label.size;
+            words(later, meet, Anchor::Start, more);
+            meet += width;
+        }
     }
 }
 
 /// All that a label says in the end.
 fn whole(label: &Label) -> Text {
-    let text = label.text.clone();
-    match &label.later {
-        Some((_, more)) => text + more,
-        None => text,
-    }
+    let parts = label.later.iter();
+    parts.fold(label.text.clone(), |text, (_, more)| text + more)
 }
 
 /// The best place for a label; none for one of a crowd of names that has no free place beside its object.
@@ -143,7 +144,8 @@ fn candidates(label: &Label) -> Vec<Candidate> {
                 max: middle + half,
             };
             let nearest = frame.nearest(label.of);
-            let leader = (1.3 * size < nearest.distance(label.of)).then(|| {
+            let is_far = 1.3 * size < nearest.distance(label.of) && !holds(&label.named, frame);
+            let leader = is_far.then(|| {
                 let back = (label.of - nearest).normalize_or_zero();
                 [label.of - 0.35 * size * back, nearest + 0.15 * size * back]
             });
@@ -186,6 +188,21 @@ fn places_in(area: Frame, half: DVec2) -> Vec<Candidate> {
     }
     found.sort_by(|a, b| a.cost.total_cmp(&b.cost));
     found
+}
+
+/// Does a polygon hold all corners of a frame?
+fn holds(polygon: &[DVec2], frame: Frame) -> bool {
+    let Frame { min, max } = frame;
+    let corners = [min, DVec2::new(max.x, min.y), max, DVec2::new(min.x, max.y)];
+    corners.into_iter().all(|corner| {
+        // as many edges cross the half-line to the right of a point in it as make an odd number
+        let edges = polygon.iter().zip(polygon.iter().cycle().skip(1));
+        let crossed = edges.filter(|(a, b)| {
+            let is_crossed = (a.y <= corner.y) != (b.y <= corner.y);
+            is_crossed && corner.x < a.x + (corner.y - a.y) / (b.y - a.y) * (b.x - a.x)
+        });
+        crossed.count() % 2 == 1
+    })
 }
 
 /// How far the middle of a rectangle is from a point that it touches, seen along a direction.
@@ -344,7 +361,8 @@ mod tests {
         };
         let since = [first, second].map(|words| words.since.stage);
         assert_eq!(since, [Some(stages[0]), Some(stages[1])]);
-        assert_eq!(first.frame().max.x, second.frame().min.x);
+        let between = second.frame().min.x - first.frame().max.x;
+        assert!((0.0..0.1 * first.size).contains(&between), "{between}");
         assert_eq!(first.place.y, second.place.y);
         // both are to the right of the point
         assert!(300.0 < first.frame().min.x, "{first:?}");

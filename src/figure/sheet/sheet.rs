@@ -80,8 +80,10 @@ pub(in crate::figure) struct Label {
     pub(in crate::figure) anywhere: bool,
     /// Without room for it, it is left out.
     pub(in crate::figure) optional: bool,
-    /// How it goes on later.
-    pub(in crate::figure) later: Option<(Since, Text)>,
+    /// How it goes on later, part by part.
+    pub(in crate::figure) later: Vec<(Since, Text)>,
+    /// The outline that it names: in there it needs no leader.
+    pub(in crate::figure) named: Vec<DVec2>,
     pub(in crate::figure) size: f64,
 }
 
@@ -202,6 +204,14 @@ impl Sheet {
             step: Some(step),
         };
         self.since(since, draw)
+    }
+
+    /// What the last stage shows: nothing before it.
+    pub(in crate::figure) fn at_last<T>(&mut self, draw: impl FnOnce(&mut Self) -> T) -> T {
+        match self.stages.len().checked_sub(1) {
+            Some(last) => self.at(StageId(last as u32), draw),
+            None => draw(self),
+        }
     }
 
     /// The first stage that needs an event; the last one if none says so.
@@ -449,22 +459,26 @@ impl Sheet {
             within,
             anywhere: false,
             optional: false,
-            later: None,
+            later: Vec::new(),
+            named: Vec::new(),
             size: self.letters,
         });
     }
 
-    /// A label that is left out if there is no room: one name of many.
+    /// A label that is left out if there is no room: one name of many. Inside the outline that it names it needs no
+    /// leader.
     pub(in crate::figure) fn name(
         &mut self,
         within: Frame,
         of: DVec2,
         towards: DVec2,
-        text: impl Into<Text>,
+        (text, outline): (impl Into<Text>, Vec<DVec2>),
     ) {
+        let count = self.labels.len();
         self.label(within, of, towards, text);
-        if let Some(label) = self.labels.last_mut() {
+        if let Some(label) = self.labels.get_mut(count) {
             label.optional = true;
+            label.named = outline;
         }
     }
 
@@ -481,7 +495,15 @@ impl Sheet {
         self.label(within, of, towards, text);
         let later = self.at(stage, |sheet| sheet.since);
         if let Some(label) = self.labels.get_mut(count) {
-            label.later = Some((later, more.into()));
+            label.later.push((later, more.into()));
+        }
+    }
+
+    /// The label of an area, made last, goes on from here.
+    pub(in crate::figure) fn label_goes_on(&mut self, more: impl Into<Text>) {
+        let since = self.since;
+        if let Some(label) = self.labels.last_mut() {
+            label.later.push((since, more.into()));
         }
     }
 
@@ -495,7 +517,8 @@ impl Sheet {
             within: area,
             anywhere: true,
             optional: false,
-            later: None,
+            later: Vec::new(),
+            named: Vec::new(),
             size: self.letters,
         });
     }

@@ -25,7 +25,7 @@ pub(super) fn name_beside(
     let side = across.dot(middle - from);
     let missing = AWAY * sheet.letters - side.abs();
     let aside = 1f64.copysign(side) * missing.max(0.0) * across;
-    scenery::name_around(sheet, space, middle + aside, name);
+    scenery::name_around(sheet, space, (rim, middle + aside), name);
 }
 
 /// The nearest hit is a point, the others are rings.

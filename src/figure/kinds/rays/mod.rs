@@ -192,7 +192,8 @@ fn lit(figure: &Figure, sheet: &mut Sheet, space: &Space, drawn: &Drawn, argumen
         let came = came.map_or(DVec3::ZERO, |came| came.ray.direction.normalize_or_zero());
         let outwards = start.ray.direction.normalize_or_zero() - came;
         sheet.at(argument.of(Of::Ends(place)), |sheet| {
-            sheet.name(space.frame, at, space.direction(outwards), "lit");
+            let towards = space.direction(outwards);
+            sheet.name(space.frame, at, towards, ("lit", Vec::new()));
         });
     }
 }

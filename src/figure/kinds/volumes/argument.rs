@@ -126,11 +126,13 @@ fn of_ray(number: usize, of: &str, panels: &[Panel]) -> String {
     }
     match (wasted.is_empty(), missed.is_empty()) {
         (false, false) => format!(
-            "{ray} misses {of}: it hits {} in vain, and misses {}.",
+            "{ray} misses {of}: it hits {}, so its test of {of} is wasted there, and misses {}.",
             listed(&wasted),
             listed(&missed)
         ),
-        (false, true) => format!("{ray} misses {of} and hits every volume in vain."),
+        (false, true) => {
+            format!("{ray} misses {of} but hits every volume: each test of {of} is wasted.")
+        }
         _ => format!("{ray} misses every volume, so {of} is not tested."),
     }
 }
