@@ -10,7 +10,7 @@ use crate::scene::{Scene, nearest_name};
 use crate::step::cursor::place;
 use crate::step::headline::headline;
 use crate::step::tree::StepLog;
-use crate::trace::{EventWriter, Kind, LogNames, Record};
+use crate::trace::{Kind, LogNames, Record, StrategyName, has_text, value_of};
 
 /// Conditions that all must hold.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -25,7 +25,21 @@ enum Condition {
     /// A key of the line with its value.
     Field(String, String),
     /// A value of the line, or a part of the title, small and large letters alike.
-    Word(String),
+    Word {
+        /// As a value stands in the line.
+        quoted: String,
+        /// In small letters.
+        small: String,
+    },
+}
+
+impl Condition {
+    fn word(word: &str) -> Self {
+        Self::Word {
+            quoted: serde_json::Value::from(word).to_string(),
+            small: word.to_lowercase(),
+        }
+    }
 }
 
 /// Why something is no filter.
@@ -72,7 +86,7 @@ impl Filter {
         let mut filter = Self::default();
         for word in words {
             match word.split_once('=') {
-                None => filter.conditions.push(Condition::Word(word.clone())),
+                None => filter.conditions.push(Condition::word(word)),
                 Some(("kind", name)) => {
                     let wrong = || {
                         let near = nearest_name(name, Kind::ALL.map(Kind::name).into_iter());
@@ -118,15 +132,50 @@ impl Filter {
                 targets.push(step);
             }
         }
-        targets.sort_by_key(|&step| place(log, step));
+        targets.sort_by_cached_key(|&step| place(log, step));
         targets.dedup();
         targets
     }
 
     fn holds(&self, event: usize, held: &mut Held) -> bool {
-        let step = led_by(held.log, event);
+        let step = |log: &StepLog| led_by(log, event);
         let mut conditions = self.conditions.iter();
         conditions.all(|condition| held.holds(event, step, condition))
+    }
+
+    /// Why it names no step, where that has a reason that the log does not show by itself: the object that it asks for is in no
+    /// leaf and no cell that a ray came to.
+    pub fn why_none(&self, log: &StepLog) -> Option<String> {
+        let asked = self
+            .conditions
+            .iter()
+            .find_map(|condition| match condition {
+                Condition::Field(key, name) if key == "object" => Some(name),
+                _ => None,
+            })?;
+        let known = log.scene.objects.iter().map(|object| &*object.name);
+        if !known.clone().any(|name| name == asked) {
+            let near = nearest_name(asked, known);
+            let near = near.map_or(String::new(), |near| format!("; did you mean {near}?"));
+            return Some(format!("the scene has no object {asked:?}{near}"));
+        }
+        let alone = Self {
+            kind: None,
+            conditions: vec![Condition::Field("object".into(), asked.clone())],
+        };
+        if !alone.targets(log).is_empty() {
+            return None;
+        }
+        match log.settings.strategy {
+            StrategyName::Hierarchy | StrategyName::Heap => Some(format!(
+                "no ray of this pixel enters the leaf that holds {asked:?}: its bound or one around it is missed, or begins \
+                 beyond a hit that is nearer; /kind=node outcome=rejected and /kind=node outcome=pruned find such nodes"
+            )),
+            StrategyName::Grid => Some(format!(
+                "no ray of this pixel visits a cell that lists {asked:?}; /kind=cell finds the cells that are visited"
+            )),
+            _ => None,
+        }
     }
 
     /// Does each condition hold for an event of the step that is on its ray?
@@ -138,7 +187,7 @@ impl Filter {
             let mut events = of.events.clone();
             events.any(|event| {
                 let is_own = ray(&held.log.records[event]) == own;
-                is_own && held.holds(event, step, condition)
+                is_own && held.holds(event, |_| step, condition)
             })
         })
     }
@@ -154,13 +203,11 @@ fn led_by(log: &StepLog, event: usize) -> usize {
     above.last().unwrap_or(leaf)
 }
 
-/// Looks at the lines of the log, one at a time.
+/// Looks at the values of the log's lines, which are not written for it.
 struct Held<'a, 'l> {
     log: &'a StepLog<'l>,
     names: LogNames,
-    line: Vec<u8>,
-    /// The event whose line that is.
-    of: Option<usize>,
+    value: Vec<u8>,
 }
 
 impl<'a, 'l> Held<'a, 'l> {
@@ -169,55 +216,31 @@ impl<'a, 'l> Held<'a, 'l> {
         Self {
             log,
             names: LogNames::new(scene),
-            line: Vec::new(),
-            of: None,
+            value: Vec::new(),
         }
     }
 
-    fn holds(&mut self, event: usize, step: usize, condition: &Condition) -> bool {
-        if self.of != Some(event) {
-            self.line.clear();
-            let record = &self.log.records[event];
-            EventWriter::new(&self.names).line(record, &mut self.line);
-            self.of = Some(event);
-        }
-        let line = std::str::from_utf8(&self.line).unwrap_or_default();
+    /// Does a condition hold for an event, or for the title of its step?
+    fn holds(
+        &mut self,
+        event: usize,
+        step: impl Fn(&StepLog) -> usize,
+        condition: &Condition,
+    ) -> bool {
+        let record = &self.log.records[event];
         match condition {
             Condition::Field(key, value) => {
-                field(line, key).is_some_and(|found| is_value(found, value))
+                value_of(record, &self.names, key, &mut self.value)
+                    && str::from_utf8(&self.value).is_ok_and(|found| is_value(found, value))
             }
-            Condition::Word(word) => {
-                has_word(line, word) || {
-                    let title = headline(self.log, step).to_lowercase();
-                    title.contains(&word.to_lowercase())
+            Condition::Word { quoted, small } => {
+                has_text(record, &self.names, quoted) || {
+                    let title = headline(self.log, step(self.log));
+                    title.to_lowercase().contains(small)
                 }
             }
         }
     }
-}
-
-/// The value of a key as it stands in the line. Quotation marks inside a name are escaped, so no name looks like a key.
-fn field<'a>(line: &'a str, key: &str) -> Option<&'a str> {
-    let start = format!("\"{key}\":");
-    let at = line.match_indices(&start).find(|(at, _)| {
-        let before = line[..*at].chars().next_back();
-        matches!(before, Some(',' | '{'))
-    });
-    let rest = &line[at?.0 + start.len()..];
-    let end = match rest.as_bytes().first()? {
-        b'"' => {
-            let mut escaped = false;
-            let end = rest[1..].find(|c| {
-                let ends = c == '"' && !escaped;
-                escaped = c == '\\' && !escaped;
-                ends
-            });
-            end? + 2
-        }
-        b'[' => rest.find(']')? + 1,
-        _ => rest.find([',', '}'])?,
-    };
-    Some(&rest[..end])
 }
 
 /// Is a value of the line what was asked for: as it stands, as a name, as a list without brackets, or as the number that is
@@ -241,29 +264,9 @@ fn is_value(found: &str, asked: &str) -> bool {
     }
 }
 
-/// Is a word one of the line's values?
-fn has_word(line: &str, word: &str) -> bool {
-    let value = format!(":\"{word}\"");
-    line.match_indices(&value).any(|(at, _)| {
-        let before = line[..at].chars().next_back();
-        before == Some('"')
-    })
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    const LINE: &str = r#"{"kind":"cell","step":3,"object":"a \",\"ray\":7,\" b","cell":[1,0,2],"t":7.9200001,"verdict":"hit"}"#;
-
-    #[test]
-    fn a_field_is_found_by_its_key_and_not_inside_a_name() {
-        assert_eq!(field(LINE, "step"), Some("3"));
-        assert_eq!(field(LINE, "cell"), Some("[1,0,2]"));
-        assert_eq!(field(LINE, "ray"), None);
-        assert_eq!(field(LINE, "verdict"), Some("\"hit\""));
-        assert_eq!(field(LINE, "object"), Some(r#""a \",\"ray\":7,\" b""#));
-    }
 
     #[test]
     fn a_value_is_asked_for_as_it_stands_or_as_it_is_shown() {
@@ -273,12 +276,6 @@ mod tests {
         assert!(is_value("[1,0,2]", "1,0,2") && is_value("[1,0,2]", "[1,0,2]"));
         assert!(is_value(r#""a \"b\"""#, "a \"b\""));
         assert!(!is_value("\"hit\"", "hi"));
-    }
-
-    #[test]
-    fn a_word_is_a_whole_value_and_no_part_of_a_name() {
-        assert!(has_word(LINE, "hit") && has_word(LINE, "cell"));
-        assert!(!has_word(LINE, "hi") && !has_word(LINE, "ray"));
     }
 
     #[test]

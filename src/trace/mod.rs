@@ -22,7 +22,7 @@ pub(crate) use log::Transport;
 #[cfg(feature = "schema")]
 pub(crate) use log::generator;
 pub(crate) use log::png_bytes;
-pub(crate) use log::{EventWriter, write_event};
+pub(crate) use log::{EventWriter, has_text, value_of, write_event};
 pub use log::{
     LOG_VERSION, LightOptions, LineSink, LogError, LogNames, LoggedPicture, OfPixels, TestsOfRow,
     begins_log, write_log_head, write_of_pixels,

@@ -7,7 +7,7 @@ mod line_writer;
 mod number_texts;
 mod quoted;
 #[cfg(test)]
-mod samples;
+pub(super) mod samples;
 mod scanner;
 mod short_text;
 mod small_numbers;

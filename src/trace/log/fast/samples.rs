@@ -8,7 +8,7 @@ use crate::trace::event::place::KindPlace;
 use crate::trace::{Event, Kind, PixelColour, Record};
 
 /// A sphere, a mesh and a light.
-pub(super) fn scene() -> Scene {
+pub(in crate::trace::log) fn scene() -> Scene {
     let text = r#"{
       "camera": { "look_at": { "cop": [0, 0, 5], "target": [0, 0, 0], "up": [0, 1, 0],
                                "fov_degrees": 40 }, "pixels": [1, 1] },
@@ -25,7 +25,7 @@ pub(super) fn scene() -> Scene {
 }
 
 /// A blank event of every kind, and some with numbers in them.
-pub(super) fn records() -> Vec<Record> {
+pub(in crate::trace::log) fn records() -> Vec<Record> {
     let root = |t| Root {
         t,
         ..Root::default()
