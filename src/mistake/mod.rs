@@ -16,8 +16,7 @@
 //! assert_eq!(wrong.root(&sphere, &ray, TRange::FORWARD, Sides::Both), Some(-2.0));
 //! ```
 //!
-//! It leaves out what no question and no part can show: an offset of the point instead of ε, a normal of another length
-//! handed in by the caller, a walk without an end.
+//! It leaves out what does not return at all, such as a walk that goes on beyond the last cell for ever.
 
 mod bound;
 mod epsilon;

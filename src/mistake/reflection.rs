@@ -13,6 +13,12 @@ pub(super) const MISTAKES: &[Mistake] = &[
         wrong: Wrong::Reflect(plus_2),
     },
     Mistake {
+        name: "N not unit",
+        sentence: "N is taken as the plane's equation has it, such as (1, 1, 0), and not divided by its length.",
+        spoils: "R",
+        wrong: Wrong::Reflect(normal_not_unit),
+    },
+    Mistake {
         name: "D turned",
         sentence: "The ray's direction is taken away from the surface, so R points the opposite way.",
         spoils: "R",
@@ -22,6 +28,11 @@ pub(super) const MISTAKES: &[Mistake] = &[
 
 fn plus_2(direction: DVec3, normal: DVec3) -> DVec3 {
     direction + 2.0 * direction.dot(normal) * normal
+}
+
+/// Equations are mostly written with a largest coefficient of 1.
+fn normal_not_unit(direction: DVec3, normal: DVec3) -> DVec3 {
+    reflect(direction, normal / normal.abs().max_element())
 }
 
 fn direction_turned(direction: DVec3, normal: DVec3) -> DVec3 {
@@ -41,6 +52,19 @@ mod tests {
         // along the surface both leave the ray as it is
         assert_eq!(reflect(DVec3::X, DVec3::Y), DVec3::X);
         assert_eq!(plus_2(DVec3::X, DVec3::Y), DVec3::X);
+    }
+
+    #[test]
+    fn a_normal_that_is_too_long_sends_the_ray_too_far_across() {
+        // x + y = 0, N = (1, 1, 0)/√2; straight down becomes straight out
+        let (down, slope) = (DVec3::NEG_Y, DVec3::new(1.0, 1.0, 0.0));
+        let right = reflect(down, slope.normalize()) - DVec3::X;
+        assert!(right.length() <= 1e-15, "{right}");
+        // Δ·N = −1: (0, −1, 0) + 2·(1, 1, 0)
+        let wrong = normal_not_unit(down, slope.normalize()) - DVec3::new(2.0, 1.0, 0.0);
+        assert!(wrong.length() <= 1e-15, "{wrong}");
+        // along an axis the largest coefficient is the length
+        assert_eq!(normal_not_unit(down, DVec3::Y), reflect(down, DVec3::Y));
     }
 
     #[test]

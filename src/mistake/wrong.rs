@@ -3,8 +3,8 @@
 use glam::DVec3;
 
 use crate::geometry::{
-    Axis, Inside, Polygon, QuadraticTest, Ray, Refraction, Sides, SlabInterval, SlabRay, Sphere,
-    TRange,
+    Axis, AxisBox, Inside, Polygon, QuadraticTest, Ray, Refraction, Sides, SlabInterval, SlabRay,
+    Sphere, TRange,
 };
 use crate::mistake::outline::inside_along;
 use crate::scene::{Camera, Light, Material, Normals, PhongTerm, Primitive, Scene, Shape};
@@ -64,6 +64,9 @@ pub enum Wrong {
     /// From a cell along an axis and the ray's direction there: the next plane, counted from 0 at the lowest. In place of a
     /// step of [`GridWalk`](crate::structure::GridWalk).
     NextPlane(fn(u32, f64) -> u32),
+    /// From the box of the grid, how many cells it has along x, y and z, and the ray with its range: the cells that are visited,
+    /// in their order. In place of [`GridWalk`](crate::structure::GridWalk).
+    CellsVisited(fn(&AxisBox, [u32; 3], &Ray, TRange) -> Vec<[u32; 3]>),
     /// From t of the nearest hit and t at which the ray leaves the cell: does the walk end? In place of the test of
     /// [`UniformGrid`](crate::strategy::UniformGrid).
     WalkEnds(fn(f64, f64) -> bool),
@@ -93,6 +96,7 @@ impl Wrong {
             Self::SlabsSoFar(_) => "Inside::and",
             Self::Bound(_) => "BoundVerdict::of",
             Self::PlanesCrossed(_) | Self::NextPlane(_) => "GridWalk::next",
+            Self::CellsVisited(_) => "GridWalk",
             Self::WalkEnds(_) => "UniformGrid::search",
         }
     }
@@ -108,6 +112,7 @@ impl Wrong {
                 | Self::Bound(_)
                 | Self::PlanesCrossed(_)
                 | Self::NextPlane(_)
+                | Self::CellsVisited(_)
                 | Self::WalkEnds(_)
         )
     }

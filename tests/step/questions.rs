@@ -288,7 +288,7 @@ fn the_questions_of_the_pixel_on_paper_are_those_that_a_lecturer_would_ask() {
         ],
         &[
             ("blocked by ball", Some("any hit counts")),
-            ("blocked by M", None),
+            ("blocked by M", Some("offset to the wrong side")),
             ("blocked by wall", None),
         ],
     );

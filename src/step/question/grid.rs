@@ -1,13 +1,14 @@
 //! The walk through a grid: the next plane, the mailboxes, and whether a hit is final.
 
 use crate::explain::cell_name;
+use crate::geometry::{AxisBox, Ray, TRange};
 use crate::mistake::{Wrong, mistake, mistakes};
 use crate::scene::PrimitiveId;
 use crate::step::quantity::{Quantity, Value};
 use crate::step::question::at::{At, alike, listed, number};
 use crate::step::question::choice::{Asks, Choice, Question};
 use crate::structure::{Across, CellStep};
-use crate::trace::{Nearest, Purpose};
+use crate::trace::{Event, Nearest, Purpose};
 
 /// The most objects that a question names.
 const MOST_NAMED: usize = 6;
@@ -60,6 +61,15 @@ pub(super) fn next_plane(at: &At, step: &CellStep) -> Option<Question> {
     };
     let mut wrong = Vec::new();
     for mistake in mistakes() {
+        let across = match mistake.wrong {
+            Wrong::CellsVisited(function) => next_of_walk(at, step.cell, function),
+            _ => None,
+        };
+        if let Some(across) = across.filter(|&across| across != step.across) {
+            wrong.push(Choice::new(text_of(across), reason(across)).by(mistake));
+        }
+    }
+    for mistake in mistakes() {
         if let Wrong::PlanesCrossed(function) = mistake.wrong {
             let across = function(step.next);
             if across != step.across {
@@ -82,6 +92,27 @@ pub(super) fn next_plane(at: &At, step: &CellStep) -> Option<Question> {
         cell_name(step.cell)
     );
     Question::new(Asks::NextPlane, text, at.step(), right, wrong)
+}
+
+/// A walk through a grid, as [`Wrong::CellsVisited`] has it.
+type WalkOfCells = fn(&AxisBox, [u32; 3], &Ray, TRange) -> Vec<[u32; 3]>;
+
+/// Which planes another walk crosses behind a cell; `None` if it does not visit that cell, or ends there.
+fn next_of_walk(at: &At, cell: [u32; 3], walk: WalkOfCells) -> Option<Across> {
+    let start = at.ray()?.start?;
+    let id = at.record().ray;
+    let before = at.log.records[..at.event].iter().rev();
+    let grid = before
+        .take_while(|record| record.path == at.record().path)
+        .find_map(|record| match &record.event {
+            Event::GridEnter(grid) if record.ray == id => Some(grid),
+            _ => None,
+        })?;
+    let cells = walk(&grid.around, grid.resolution, &start.ray, start.range);
+    let here = cells.iter().position(|&visited| visited == cell)?;
+    let next = cells.get(here + 1)?;
+    let crossed = (0..3).filter(|&axis| next[axis] != cell[axis]);
+    Some(Across::BY_BITS[crossed.map(|axis| 1 << axis).sum::<usize>()])
 }
 
 /// Must an object on the cell's list be tested?
@@ -185,6 +216,10 @@ pub(super) fn hit_is_final(at: &At, hit: &Nearest) -> Option<Question> {
             )
         },
     );
+    let goes_on = match mistake("no end test").filter(|_| is_inside) {
+        Some(mistake) => goes_on.by(mistake),
+        None => goes_on,
+    };
     let at_once = Choice::new(
         "the search ends at once, before the rest of the list",
         "Another object on the list of this cell may be hit at a smaller t.",

@@ -2,8 +2,9 @@
 
 use crate::explain::name::light_title;
 use crate::geometry::TRange;
-use crate::mistake::mistake;
+use crate::mistake::{Wrong, mistake, mistakes};
 use crate::scene::PrimitiveId;
+use crate::step::quantity::{Quantity, Value};
 use crate::step::question::at::{At, number};
 use crate::step::question::choice::{Asks, Choice, Question};
 use crate::step::question::object_hit::object_hit;
@@ -49,9 +50,11 @@ pub(super) fn blocked(at: &At) -> Option<Question> {
         ),
     };
     let mut beyond = Vec::new();
+    let mut started = Vec::new();
     let mut beside = Vec::new();
     let objects = (0..).map(PrimitiveId).zip(&at.log.scene.primitives);
     let objects: Vec<_> = objects.take(MOST_TRIED).collect();
+    let own = own_surface(at);
     for (object, primitive) in objects {
         // another object in between blocks the light, too
         if object_hit(primitive, &start.ray, start.range).is_some() {
@@ -73,18 +76,48 @@ pub(super) fn blocked(at: &At) -> Option<Question> {
                     None => choice,
                 });
             }
+            None if own == Some(object) => {
+                let choice = Choice::new(
+                    text_of(object),
+                    "The ray starts on it and does not hit it again.",
+                );
+                started.push(match mistake("offset to the wrong side") {
+                    Some(mistake) => choice.by(mistake),
+                    None => choice,
+                });
+            }
             None => beside.push(Choice::new(
                 text_of(object),
                 "The ray does not hit it in front of its origin.",
             )),
         }
     }
-    let free = blocker
-        .map(|object| Choice::new(free_text, format!("{} stands in between.", at.name(object))));
-    let wrong = free.into_iter().chain(beyond).chain(beside);
+    let scene = at.log.scene;
+    let free = blocker.map(|object| {
+        let choice = Choice::new(free_text, format!("{} stands in between.", at.name(object)));
+        let is_small = scene.primitives.len() <= MOST_TRIED;
+        let made = mistakes().find(|mistake| match mistake.wrong {
+            Wrong::Blocked(wrong) => is_small && !wrong(scene, &start.ray, start.range),
+            _ => false,
+        });
+        match made {
+            Some(mistake) => choice.by(mistake),
+            None => choice,
+        }
+    });
+    let wrong = free.into_iter().chain(beyond).chain(started).chain(beside);
     let [x, y, z] = start.ray.origin.to_array().map(number);
     let text = format!(
         "A shadow ray runs from ({x}, {y}, {z}) to {light}, which is {distance} away. Is the light blocked, and by what?"
     );
     Question::new(Asks::Blocked, text, at.step(), right, wrong)
+}
+
+/// The surface that a ray starts on: what the ray that spawned it has hit.
+fn own_surface(at: &At) -> Option<PrimitiveId> {
+    let parent = at.state.innermost()?;
+    match parent.quantities.get(&Quantity::Nearest)?.value {
+        Value::Hit(object, _) if Some(parent.id) == at.record().parent => Some(object),
+        _ => None,
+    }
 }
