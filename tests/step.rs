@@ -2,6 +2,7 @@
 //! ones, with every strategy and every transport.
 
 mod by_hand;
+mod drawn;
 mod filtered;
 mod moves;
 mod questions;

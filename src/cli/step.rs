@@ -4,6 +4,7 @@
 
 mod address;
 mod plain;
+mod save;
 
 use std::io::{self, BufRead, IsTerminal, Write};
 use std::path::Path;

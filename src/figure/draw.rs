@@ -111,6 +111,11 @@ pub fn draw(
         }
         _ => description,
     };
+    // before the first stage is done, and where no ray is cast, there is the title alone
+    let description = match description {
+        nothing if nothing.is_empty() => figure.title(),
+        description => description,
+    };
     Ok(Drawn {
         svg: Canvas::write(sheet, id, [&figure.title(), &description], rendition),
         description,

@@ -127,6 +127,19 @@ impl Traced {
         Section { records, before }
     }
 
+    /// The step of a record for the kinds of figure that draw paths of light, which come before the pixel.
+    pub(crate) fn step_with_paths(&self, record: &Record) -> u32 {
+        let own = |section: &Section| section.records[0].path == record.path;
+        match record.path {
+            Some(_) => self
+                .paths()
+                .iter()
+                .find(|of| own(of))
+                .map_or(record.step, |of| of.step(record)),
+            None => self.after_paths(&[]).step(record),
+        }
+    }
+
     /// How the structure was built.
     pub(super) fn building(&self) -> impl Iterator<Item = &Record> {
         let of_none = |record: &&Record| record.pixel.is_none() && record.path.is_none();

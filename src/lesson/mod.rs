@@ -7,6 +7,7 @@ mod file;
 pub(crate) mod library;
 mod own_figure;
 mod picture;
+mod step_figure;
 mod trace;
 
 pub use compare::{compare, scan_lines_to_compare};
@@ -21,4 +22,5 @@ pub use library::Lesson;
 #[cfg(feature = "files")]
 pub(crate) use library::Library;
 pub use own_figure::{own_figure, wrong_figure};
+pub use step_figure::{StepFigure, StepFigures};
 pub use trace::trace_figure;

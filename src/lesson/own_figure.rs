@@ -139,7 +139,7 @@ fn choose(spec: &mut FigureSpec, has_slabs: bool) {
 }
 
 /// From where such a figure is best seen: in space, or across the axis along which the ray moves least.
-fn view(kind: FigureKind, direction: DVec3) -> View {
+pub(super) fn view(kind: FigureKind, direction: DVec3) -> View {
     use FigureKind as Kind;
     match kind {
         Kind::Pinhole | Kind::Window | Kind::Polygon | Kind::Partition => View::Axonometric,
@@ -157,7 +157,7 @@ fn view(kind: FigureKind, direction: DVec3) -> View {
 }
 
 /// Does the kind show the whole scene if no part of it is named?
-fn has_frame(kind: FigureKind) -> bool {
+pub(super) fn has_frame(kind: FigureKind) -> bool {
     use FigureKind as Kind;
     matches!(
         kind,

@@ -39,6 +39,8 @@ pub enum Command {
     Skip,
     /// All that is known here.
     View,
+    /// The drawing up to here goes into a file.
+    Save,
     /// The command that leads here.
     Address,
     /// The keys.
@@ -272,6 +274,12 @@ pub const KEYS: &[Key] = &[
         ["v", "view"],
         "view all that is known here",
         Command::View
+    ),
+    key!(
+        "s",
+        ["s", "save"],
+        "save the drawing up to here as SVG, in a new file",
+        Command::Save
     ),
     key!(
         "y",

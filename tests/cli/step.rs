@@ -386,3 +386,109 @@ fn a_question_comes_before_the_verdict_and_its_answer_has_a_reason_for_every_cho
         "{off}"
     );
 }
+
+#[test]
+fn s_saves_the_drawing_up_to_here_in_a_new_file_and_its_command_makes_it_again() {
+    let folder = Folder::with_scene();
+    let run = |words: &str, script: &str| {
+        let mut command = folder.command(words);
+        let ran: Ran = command.args(["--script", script]).output().unwrap().into();
+        text(ran)
+    };
+    // the test of A, steps 2 and 3; its first root shows in step 2 and the hit in step 3
+    let saved = run("step scene.json 80,60", "into over into over s");
+    let name = "raystep-sphere-scene-80,60-2.svg";
+    let (_, told) = saved.split_once(&format!("\nsaved as {name}\n")).unwrap();
+    assert_eq!(
+        told,
+        "made again by: raystep step scene.json 80,60 --strategy exhaustive --at 2 --script 'out s'\n"
+    );
+    let again = run(
+        "step scene.json 80,60 --strategy exhaustive --at 2",
+        "out s",
+    );
+    let second = "raystep-sphere-scene-80,60-2-2.svg";
+    assert!(again.contains(&format!("\nsaved as {second}\n")), "{again}");
+    assert_eq!(folder.read(name), folder.read(second));
+    let svg = String::from_utf8(folder.read(name)).unwrap();
+    let drawing = roxmltree::Document::parse(&svg).unwrap();
+    let title = drawing.descendants().find(|of| of.has_tag_name("title"));
+    let title = title.unwrap().text().unwrap();
+    assert!(
+        title.starts_with("sphere of ") && title.ends_with(", pixel (80, 60)"),
+        "{title}"
+    );
+
+    // a place in the grid, from a saved log
+    folder
+        .run("trace scene.json --strategy grid --region 80,60 -o part.jsonl")
+        .well();
+    let saved = run("step part.jsonl 80,60", "/kind=cell n s");
+    assert!(
+        saved.contains("\nsaved as raystep-grid-part-80,60-"),
+        "{saved}"
+    );
+    assert!(
+        saved.contains("\nmade again by: raystep step part.jsonl 80,60 --at "),
+        "{saved}"
+    );
+    // three drawings and nothing unfinished
+    assert_eq!(folder.names().len(), 2 + 3, "{:?}", folder.names());
+}
+
+#[test]
+fn where_nothing_is_drawn_s_says_why_and_the_session_goes_on() {
+    let folder = Folder::with_scene();
+    let ran = with_lines(
+        &folder,
+        "step scene.json 80,60 --strategy hierarchy --building --predict",
+        "s\np\ng 0\n",
+    );
+    let text = text(ran);
+    assert_eq!(
+        text.matches("no figure shows this step").count(),
+        1,
+        "{text}"
+    );
+    assert_eq!(titles(&text), ["Building", "window point"], "{text}");
+    // before a question is answered the drawing would give the answer away
+    let ran = with_lines(
+        &folder,
+        "step scene.json 80,60 --predict",
+        "into over into over\ns\nskip\n",
+    );
+    let text = self::text(ran);
+    assert!(
+        text.contains("\nanswer the question, or skip it\n"),
+        "{text}"
+    );
+    assert!(!text.contains("saved as"), "{text}");
+    assert_eq!(folder.names(), ["scene.json"]);
+}
+
+#[test]
+fn a_filter_that_finds_no_object_says_why() {
+    let folder = Folder::with_scene();
+    let told = |words: &str, filter: &str| {
+        let mut command = folder.command(words);
+        let ran: Ran = command.args(["--script", filter]).output().unwrap().into();
+        text(ran)
+    };
+    let step = "step scene.json 80,60 --strategy";
+    let missed = told(&format!("{step} hierarchy"), "/object=C");
+    let (_, missed) = missed
+        .split_once("\n0 steps are named by the filter\n")
+        .unwrap();
+    assert!(
+        missed.starts_with("no ray of this pixel enters the leaf that holds \"C\": "),
+        "{missed}"
+    );
+    let missed = told(&format!("{step} hierarchy"), "/object=Q");
+    assert!(
+        missed.contains("\nthe scene has no object \"Q\""),
+        "{missed}"
+    );
+    // with every object tested there is nothing to say
+    let found = told(&format!("{step} exhaustive"), "/object=C");
+    assert!(!found.contains("no ray of this pixel"), "{found}");
+}

@@ -1,5 +1,7 @@
 //! The command that leads to a step, as one types it.
 
+use std::path::Path;
+
 use clap::parser::ValueSource;
 use clap::{ArgMatches, CommandFactory};
 use raystep::StrategyName;
@@ -64,15 +66,38 @@ impl Words {
         self.strategy = strategy;
     }
 
+    /// The pixel that is stepped through.
+    pub(crate) fn pixel(&self) -> [u32; 2] {
+        self.pixel
+    }
+
+    /// The name of the scene's file, or of the log's, without folder and ending.
+    pub(crate) fn stem(&self) -> String {
+        let stem = Path::new(&self.scene).file_stem();
+        stem.unwrap_or_default().to_string_lossy().into_owned()
+    }
+
     /// The command that begins at a step.
     pub(crate) fn command(&self, at: &str) -> String {
+        self.words(at, &self.options)
+    }
+
+    /// The command that begins at a step, does what a script says, and ends.
+    pub(crate) fn doing(&self, at: &str, script: &str) -> String {
+        // a question would keep the step from being shown
+        let options = self.options.iter().filter(|option| *option != "--predict");
+        let options: Vec<String> = options.cloned().collect();
+        format!("{} --script {}", self.words(at, &options), quoted(script))
+    }
+
+    fn words(&self, at: &str, options: &[String]) -> String {
         let [x, y] = self.pixel;
         let mut words = vec!["raystep".into(), "step".into(), self.scene.clone()];
         words.push(format!("{x},{y}"));
         if let Some(strategy) = self.strategy {
             words.extend(["--strategy".into(), word(strategy).into()]);
         }
-        words.extend(self.options.iter().cloned());
+        words.extend(options.iter().cloned());
         words.extend(["--at".into(), at.into()]);
         let quoted: Vec<String> = words.iter().map(|word| quoted(word)).collect();
         quoted.join(" ")

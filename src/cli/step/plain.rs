@@ -14,6 +14,7 @@ use crate::cli::Error;
 use crate::cli::output::Output;
 use crate::cli::step::address::Words;
 use crate::cli::step::address_of;
+use crate::cli::step::save::save;
 
 /// What follows a command.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -107,6 +108,11 @@ impl<'a, 'l> Face<'a, 'l> {
                     many => format!("{many} steps are {what}"),
                 };
                 say(&text, out)?;
+                let filter = self.filter.as_ref();
+                let why = filter.filter(|_| self.targets.is_empty());
+                if let Some(why) = why.and_then(|filter| filter.why_none(self.log)) {
+                    say(&why, out)?;
+                }
             }
             Command::Who(asked) => self.who(asked, out)?,
             Command::Go(step) => match step.parse().and_then(|at| self.log.event_at(at)) {
@@ -142,6 +148,12 @@ impl<'a, 'l> Face<'a, 'l> {
             // the state after the step would give the answer away
             Command::View if self.asked.is_some() => say("answer the question, or skip it", out)?,
             Command::View => self.view(out)?,
+            Command::Save if self.asked.is_some() => say("answer the question, or skip it", out)?,
+            Command::Save => match save(self.log, self.cursor.here, words) {
+                Ok(text) => say(&text, out)?,
+                // the next step may be drawn, or another folder be free
+                Err(error) => say(&error.to_string(), out)?,
+            },
             Command::Address => {
                 let at = self.log.step(self.cursor.here).events.start;
                 say(&words.command(&address_of(self.log, at)), out)?;
