@@ -19,7 +19,8 @@
 //! 8. [`explain`]: from events to words, and what each strategy costs;
 //! 9. [`figure`]: from events to the figures of a lecture; bars of costs and heat maps;
 //! 10. [`step`]: a log as a tree of steps, walked forwards and backwards, with the state at each;
-//! 11. [`lesson`]: the course's data, and the traces that its figures are drawn from.
+//! 11. [`page`]: the steps of a pixel in HTML: the stepper of a book;
+//! 12. [`lesson`]: the course's data, and the traces that its figures are drawn from.
 //!
 //! These are the core: no file system, no clock, no threads but by the feature `threads`. Above it are `files` (the file
 //! system), `book` (the preprocessor for mdBook) and the command `raystep` (feature `cli`). What most programs need is at
@@ -74,6 +75,7 @@ pub mod files;
 pub mod geometry;
 pub mod lesson;
 pub mod mistake;
+pub mod page;
 mod parallel;
 pub mod scene;
 pub mod step;

@@ -256,6 +256,31 @@ fn a_broken_directive_fails_the_build_with_chapter_and_line() {
             "{{#raystep-compare 01-ball/hit transports}}",
             "the scene has no lights",
         ),
+        (
+            "{{#raystep 01-ball/hit stepper level=tset}}",
+            "did you mean test?",
+        ),
+        (
+            "{{#raystep 01-ball/hit stepper from=99}}",
+            "there is no step 99: the last one is ",
+        ),
+        ("{{#raystep 01-ball/hit stepper from=x}}", "is no step"),
+        (
+            "{{#raystep 01-ball/hit stepper from=3 to=2}}",
+            "from is behind to",
+        ),
+        (
+            "{{#raystep 01-ball/hit stepper from=#0,0:2}}",
+            "its pixels are 4,4",
+        ),
+        (
+            "{{#raystep 01-ball/hit stepper to=#path2:2}}",
+            "no such section",
+        ),
+        (
+            "{{#raystep 01-ball/hit stepper step=3}}",
+            "predict, level=LEVEL",
+        ),
         ("{{#raystep 01-ball/hit", "it has no end"),
         ("see {{#raystep 01-ball/hit}}", "a line of its own"),
     ] {
@@ -371,4 +396,184 @@ fn a_note_tells_how_to_keep_what_is_escaped() {
         out.status.success() && told.contains("before = [\"links\"]"),
         "{told}"
     );
+}
+
+/// What the steps of a stepper say as the plain face prints them: from its data, and from its list.
+fn told(figure: &str) -> (Vec<String>, Vec<String>) {
+    let document = Document::parse(figure).unwrap_or_else(|error| panic!("{error}: {figure}"));
+    let of_class = |class: &'static str| {
+        let nodes = document.descendants();
+        nodes.filter(move |node| node.attribute("class") == Some(class))
+    };
+    let data = document
+        .descendants()
+        .find(|node| node.attribute("type") == Some("application/json"));
+    let data: Value = serde_json::from_str(data.unwrap().text().unwrap()).unwrap();
+    let text = |value: &Value| value.as_str().unwrap().to_owned();
+    let of_data = |step: &Value| {
+        let mut told = format!("\n{}\n{}\n", text(&step["title"]), text(&step["place"]));
+        for line in step["lines"].as_array().unwrap() {
+            if line["gap"] == true {
+                told.push('\n');
+            }
+            let indent = line["indent"].as_u64().unwrap() as usize;
+            told.extend(["  ".repeat(indent), text(&line["text"]), "\n".into()]);
+        }
+        let facts = step["facts"].as_array().unwrap().iter();
+        told + &facts.map(|fact| text(fact) + "\n").collect::<String>()
+    };
+    let of_data = data["steps"].as_array().unwrap().iter().map(of_data);
+    let of_list = of_class("raystep-words").map(|words| {
+        let mut told = String::from("\n");
+        for part in words
+            .descendants()
+            .filter(|part| part.is_element() && part.text().is_some())
+        {
+            let class = part.attribute("class").unwrap_or_default();
+            if class.ends_with(" gap") {
+                told.push('\n');
+            }
+            let indent = part.attribute("style").unwrap_or("--indent: 0");
+            let indent: usize = indent.strip_prefix("--indent: ").unwrap().parse().unwrap();
+            let words = part.text().unwrap();
+            told.extend(["  ".repeat(indent), words.into(), "\n".into()]);
+        }
+        told
+    });
+    (of_data.collect(), of_list.collect())
+}
+
+/// The steppers of a chapter, one a line.
+fn steppers(content: &str) -> Vec<&str> {
+    let lines = content.lines();
+    lines
+        .filter(|line| line.starts_with("<figure class=\"raystep raystep-stepper\""))
+        .collect()
+}
+
+#[test]
+fn the_stepper_of_a_book_says_the_words_of_the_plain_face_in_all_lessons() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let folder = tempfile::tempdir().unwrap();
+    let library = raystep::open_lessons(&root.join("lessons")).unwrap();
+    let expand = |content: &str| {
+        let chapter = json!({ "Chapter": { "name": "One", "content": content, "path": "one.md", "sub_items": [] } });
+        let context = json!({ "root": root, "mdbook_version": "0.5.4", "config": {} });
+        let input = json!([context, { "items": [chapter] }]).to_string();
+        let followed = raystep::preprocess(input.as_bytes())
+            .map_err(|error| error.to_string())
+            .map(|followed| serde_json::from_str::<Value>(&followed.book).unwrap());
+        followed.map(|book| {
+            let content = &book["items"][0]["Chapter"]["content"];
+            content.as_str().unwrap().to_owned()
+        })
+    };
+    let (mut figures, mut steps) = (0, 0);
+    for name in library.figures() {
+        let (lesson, spec) = library.find(&name).unwrap();
+        let Some([x, y]) = spec.traced_pixels().first().copied() else {
+            continue;
+        };
+        let directive = |level: &str| format!("{{{{#raystep {name} stepper level={level}}}}}\n\n");
+        let levels = ["test", "term"];
+        let both = levels.map(directive).concat();
+        let (content, levels) = match expand(&both) {
+            Ok(content) => (content, &levels[..]),
+            Err(error) => {
+                assert!(error.contains("too many for a stepper"), "{error}");
+                let Ok(content) = expand(&directive("test")) else {
+                    continue;
+                };
+                (content, &levels[..1])
+            }
+        };
+        let log = folder.path().join("log.jsonl");
+        let mut lines = Vec::new();
+        let traced = lesson.trace(&name.figure, spec).unwrap();
+        traced[0].write(&mut lines).unwrap();
+        fs::write(&log, lines).unwrap();
+        let found = steppers(&content);
+        assert_eq!(found.len(), levels.len(), "{name}");
+        for (figure, key) in found.into_iter().zip(["4", "5"]) {
+            let (of_data, of_list) = told(figure);
+            assert_eq!(of_data, of_list, "{name}");
+            let over = " over".repeat(of_data.len() - 1);
+            let plain = Command::new(env!("CARGO_BIN_EXE_raystep"))
+                .args([
+                    "step",
+                    log.to_str().unwrap(),
+                    &format!("{x},{y}"),
+                    "--script",
+                ])
+                .arg(format!("{key} first{over}"))
+                .output()
+                .unwrap();
+            let plain = String::from_utf8(plain.stdout).unwrap();
+            let all = of_data.concat();
+            assert!(
+                plain.ends_with(&all),
+                "{name}, {key}\n{plain}\n--- book ---\n{all}"
+            );
+            steps += of_data.len();
+        }
+        figures += 1;
+    }
+    assert!(
+        30 <= figures && 1500 < steps,
+        "{figures} figures, {steps} steps"
+    );
+}
+
+#[test]
+fn the_script_of_the_steppers_stands_once_in_each_chapter() {
+    let first =
+        "{{#raystep 01-ball/hit stepper}}\n\n> {{#raystep 01-ball/hit stepper predict}}\n> text\n";
+    let book = TestBook::new(first, "A");
+    fs::write(
+        book.0.path().join("src/below/two.md"),
+        "> - {{#raystep 01-ball/hit stepper}}\n>   *text*\n",
+    )
+    .unwrap();
+    book.build().unwrap();
+    let [one, two] = ["one.html", "below/two.html"].map(|file| book.page(file));
+    for (page, steppers) in [(&one, 2), (&two, 1)] {
+        assert_eq!(page.matches("class Stepper").count(), 1);
+        assert_eq!(page.matches(".raystep-panel {").count(), 1);
+        assert_eq!(page.matches("type=\"application/json\"").count(), steppers);
+    }
+    assert_eq!(one.matches(" data-predict").count(), 1);
+    let quote = two.split("<blockquote>").nth(1).unwrap();
+    let quote = quote.split("</blockquote>").next().unwrap();
+    assert!(
+        quote.contains("</figure>") && quote.contains("<em>text</em>"),
+        "{two}"
+    );
+}
+
+#[test]
+fn a_stepper_begins_and_ends_where_it_is_told() {
+    let titles = |words: &str| {
+        let first = format!("{{{{#raystep 01-ball/hit stepper {words}}}}}\n");
+        let out = TestBook::new(&first, "A").preprocess("0.5.4");
+        let book: Value = serde_json::from_slice(&out.stdout).unwrap();
+        let content = book["items"][0]["Chapter"]["content"].as_str().unwrap();
+        let (told, _) = told(steppers(content)[0]);
+        let titles = told
+            .iter()
+            .map(|told| told.lines().nth(1).unwrap().to_owned());
+        titles.collect::<Vec<_>>()
+    };
+    let sphere = "A: sphere: hit";
+    let nearest = "nearest hit: A";
+    // step 0 is the window point, 1 the start of the ray, 2 the test, and 3 what it leads to
+    assert_eq!(titles("level=term from=2 to=3"), [sphere, nearest]);
+    assert_eq!(titles("level=test from=#4,4:2 to=2"), [sphere]);
+    assert_eq!(titles("level=section"), ["Pixel (4, 4)"]);
+    assert_eq!(
+        titles("level=term to=1"),
+        ["window point", "start of ray 0"]
+    );
+    let tests = titles("");
+    assert_eq!(tests[..3], ["window point", "start of ray 0", sphere]);
+    assert_eq!(tests.last().unwrap(), "colour of the pixel");
 }

@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 use imports::{Modules, circle, program};
 
 /// From pure mathematics to the command line.
-const LAYERS: [&str; 15] = [
+const LAYERS: [&str; 16] = [
     "parallel",
     "geometry",
     "scene",
@@ -22,6 +22,7 @@ const LAYERS: [&str; 15] = [
     "explain",
     "figure",
     "step",
+    "page",
     "lesson",
     "files",
     "book",
@@ -29,7 +30,7 @@ const LAYERS: [&str; 15] = [
 ];
 
 /// The layers that run anywhere: no file system, no clock, no threads of their own, no words of a command line.
-const CORE: [&str; 11] = [
+const CORE: [&str; 12] = [
     "geometry",
     "scene",
     "structure",
@@ -40,6 +41,7 @@ const CORE: [&str; 11] = [
     "explain",
     "figure",
     "step",
+    "page",
     "lesson",
 ];
 
@@ -89,12 +91,20 @@ const CRATES_OF: [(&str, &[&str]); 20] = [
     ),
     (
         "serde",
-        &["scene", "structure", "trace", "figure", "lesson", "book"],
+        &[
+            "scene",
+            "structure",
+            "trace",
+            "figure",
+            "page",
+            "lesson",
+            "book",
+        ],
     ),
     (
         "serde_json",
         &[
-            "scene", "trace", "explain", "figure", "step", "lesson", "book",
+            "scene", "trace", "explain", "figure", "step", "page", "lesson", "book",
         ],
     ),
     ("serde_path_to_error", &["scene"]),
@@ -136,7 +146,7 @@ const CRATES: [&str; 27] = [
 ];
 
 /// What draws, explains and steps sees events and the scene, never how they were made.
-const FROM_EVENTS_ALONE: [&str; 3] = ["explain", "figure", "step"];
+const FROM_EVENTS_ALONE: [&str; 4] = ["explain", "figure", "step", "page"];
 
 /// Files that unit tests alone compile: they may make with a layer above what they test with.
 const FOR_TESTS: [&str; 1] = ["figure/read_back.rs"];

@@ -12,7 +12,7 @@ use pulldown_cmark::{Event, Options, Parser, Tag, TagEnd};
 /// What a directive asks for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Asks {
-    /// `{{#raystep NAME}}`: the figure.
+    /// `{{#raystep NAME}}`: the figure; `{{#raystep NAME stepper}}`: step by step.
     Figure,
     /// `{{#raystep-log NAME}}`: the worked solution of its pixel.
     Log,
@@ -48,8 +48,17 @@ pub(super) struct Directive {
     pub(super) words: Vec<String>,
     /// Does it end on its line, with `}}`?
     pub(super) ends: bool,
-    /// What is to follow a block in its place; `None` if other text is on the line.
-    pub(super) alone: Option<String>,
+    /// How a block stands in its place; `None` if other text is on the line.
+    pub(super) alone: Option<Alone>,
+}
+
+/// How a block stands in the place of a directive.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct Alone {
+    /// What begins each further line of the block: the marks of the lists and block quotes around it.
+    pub(super) begins: String,
+    /// What is to follow the block.
+    pub(super) ends: String,
 }
 
 /// All directives of a chapter, in order; no two of them overlap.
@@ -212,7 +221,7 @@ fn code(content: &str) -> Vec<Range<usize>> {
 
 /// What follows a block that takes the place of the directive, if that is all that its line has: the empty line that
 /// ends the block where the text goes on in the same lists and block quotes.
-fn alone(content: &str, range: &Range<usize>, line: &Line) -> Option<String> {
+fn alone(content: &str, range: &Range<usize>, line: &Line) -> Option<Alone> {
     let before = &content[line.range.start..range.start];
     let after = &content[range.end..line.range.end];
     if !after.trim_start().is_empty() || !is_container(before) {
@@ -229,10 +238,14 @@ fn alone(content: &str, range: &Range<usize>, line: &Line) -> Option<String> {
     let next = content.get(line.range.end + 1..).unwrap_or_default();
     let next = next.split('\n').next().unwrap_or_default();
     let is_same = next.starts_with(marked) && !next[marked.len()..].trim().is_empty();
-    Some(if is_same {
+    let ends = if is_same {
         format!("\n{}", goes_on.trim_end())
     } else {
         String::new()
+    };
+    Some(Alone {
+        begins: goes_on,
+        ends,
     })
 }
 
@@ -254,7 +267,7 @@ mod tests {
     fn found(content: &str) -> Vec<(usize, String, Vec<String>, Option<String>)> {
         let directives = directives(content).into_iter();
         directives
-            .map(|of| (of.line, of.word, of.words, of.alone))
+            .map(|of| (of.line, of.word, of.words, of.alone.map(|alone| alone.ends)))
             .collect()
     }
 
@@ -312,6 +325,9 @@ mod tests {
             let all = found(content);
             assert_eq!(all[0].3.as_deref(), Some(follows), "{content}");
         }
+        let begins = |content: &str| directives(content)[0].alone.clone().unwrap().begins;
+        assert_eq!(begins("> - {{#raystep a/b}}"), ">   ");
+        assert_eq!(begins("{{#raystep a/b}}"), "");
         assert_eq!(found("see {{#raystep a/b}}")[0].3, None);
         assert_eq!(found("{{#raystep a/b}} there")[0].3, None);
     }

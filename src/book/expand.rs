@@ -6,7 +6,9 @@ use std::time::Duration;
 
 use crate::book::directive::{Asks, Directive};
 use crate::book::html::{one_line, prose};
+use crate::book::stepper::Asked;
 use crate::book::value::value;
+use crate::book::words::{unknown_option, whole_log, whole_number};
 use crate::explain::render::{escaped, html};
 use crate::explain::{Unfold, WorkedOptions, worked_solution};
 use crate::figure::FigureSpec;
@@ -15,6 +17,7 @@ use crate::lesson::{
     FigureName, Lesson, LessonError, Library, NotCompared, compare, compare_transports,
     light_of_lamps,
 };
+use crate::page::{Stepper, shared, stepper};
 use crate::scene::{LoadError, nearest_name, quoted};
 use crate::trace::{Kind, Kinds};
 use crate::tracer::{MAX_RAYS, Stopped};
@@ -27,6 +30,10 @@ pub(super) struct Expander<'a> {
     traced: HashMap<FigureName, Arc<Vec<Traced>>>,
     /// The ids that were given, in all chapters: a book may have them all on one page.
     ids: HashSet<String>,
+    /// The chapter, as a part of ids.
+    chapter: String,
+    /// Has the chapter the script of its steppers?
+    has_script: bool,
 }
 
 /// A figure that a directive names.
@@ -44,18 +51,22 @@ impl<'a> Expander<'a> {
             lessons,
             traced: HashMap::new(),
             ids: HashSet::new(),
+            chapter: String::new(),
+            has_script: false,
         }
+    }
+
+    /// The directives that follow are those of another chapter; its name is a word.
+    pub(super) fn begin_chapter(&mut self, chapter: String) {
+        self.chapter = chapter;
+        self.has_script = false;
     }
 
     /// What stands in the place of the directive.
     ///
     /// # Errors
     /// What is wrong, and what to do about it.
-    pub(super) fn expand(
-        &mut self,
-        directive: &Directive,
-        chapter: &str,
-    ) -> Result<String, String> {
+    pub(super) fn expand(&mut self, directive: &Directive) -> Result<String, String> {
         if !directive.ends {
             return Err("it has no end\n  close it with }} on the same line".into());
         }
@@ -68,17 +79,22 @@ impl<'a> Expander<'a> {
         if asks == Asks::Value {
             return in_prose(&named, words);
         }
-        let goes_on = directive
+        let alone = directive
             .alone
             .as_ref()
             .ok_or("this directive expands to a block\n  put it on a line of its own")?;
         let html = match asks {
-            Asks::Figure => self.figure(&named, words, chapter)?,
+            Asks::Figure => match words.split_first() {
+                Some((first, words)) if first == "stepper" => {
+                    self.stepper(&named, words, &alone.begins)?
+                }
+                _ => self.figure(&named, words)?,
+            },
             Asks::Log => log(&named, words)?,
             Asks::Compare => table(&named, words)?,
             Asks::Value => return Ok(String::new()),
         };
-        Ok(format!("{html}{goes_on}"))
+        Ok(format!("{html}{}", alone.ends))
     }
 
     fn named(&mut self, name: &str) -> Result<Named<'a>, String> {
@@ -111,7 +127,7 @@ impl<'a> Expander<'a> {
         })
     }
 
-    fn figure(&mut self, named: &Named, words: &[String], chapter: &str) -> Result<String, String> {
+    fn figure(&mut self, named: &Named, words: &[String]) -> Result<String, String> {
         let mut up_to = None;
         for word in words {
             match word.split_once('=') {
@@ -126,44 +142,64 @@ impl<'a> Expander<'a> {
                 Some(("stage", number)) => {
                     up_to = Some(UpTo::Stage(whole_number("stage", number)?));
                 }
-                _ => return Err(unknown_option(word, &["step=N", "stage=N"])),
+                _ => return Err(unknown_option(word, &["step=N", "stage=N", "stepper"])),
             }
         }
-        let Named {
-            name,
-            lesson,
-            spec,
-            traced,
-        } = named;
-        let id = self.id(chapter, name);
-        let rendition = Rendition {
-            up_to,
-            ..Rendition::default()
-        };
-        let drawn = lesson.draw(&name.figure, spec, traced, &id, (Width::Book, rendition));
-        let drawn = drawn.map_err(|error| error.to_string())?;
-        let mut command = format!("raystep figure {name}");
+        let mut command = format!("raystep figure {}", named.name);
         match up_to {
             Some(UpTo::Step(step)) => command = format!("{command} --step {step}"),
             Some(UpTo::Stage(stage)) => command = format!("{command} --stage {stage}"),
             None => {}
         }
-        if let Some(lessons) = &self.lessons {
-            command = format!("{command} --lessons {}", for_shell(lessons));
-        }
+        let id = self.id(&named.name);
+        let svg = drawing(named, &id, up_to)?;
+        let caption = self.caption(named.spec, &command);
         Ok(format!(
-            "<figure class=\"raystep\" id=\"{id}_figure\">{}<figcaption>{} <code>{}</code></figcaption></figure>",
-            one_line(&drawn.svg),
-            escaped(&spec.caption),
-            escaped(&command)
+            "<figure class=\"raystep\" id=\"{id}_figure\">{svg}<figcaption>{caption}</figcaption></figure>"
         ))
     }
 
+    /// The figure with its steps. In the first stepper of a chapter its lines begin with the script of all.
+    fn stepper(&mut self, named: &Named, words: &[String], begins: &str) -> Result<String, String> {
+        let asked = Asked::new(words)?;
+        let steps = asked.steps(named.spec, first(named)?)?;
+        let id = self.id(&named.name);
+        let command = format!("raystep figure {}", named.name);
+        let figure = stepper(&Stepper {
+            svg: &drawing(named, &id, None)?,
+            id: &format!("{id}_figure"),
+            caption: &self.caption(named.spec, &command),
+            steps: &steps,
+            predicts: asked.predicts,
+        });
+        if std::mem::replace(&mut self.has_script, true) {
+            return Ok(figure);
+        }
+        let next_line = format!("\n{begins}");
+        Ok(format!(
+            "{}{next_line}{figure}",
+            shared().replace('\n', &next_line)
+        ))
+    }
+
+    /// What stands below a figure: its caption, and the command that draws it.
+    fn caption(&self, spec: &FigureSpec, command: &str) -> String {
+        let lessons = self.lessons.as_ref();
+        let lessons = lessons.map_or(String::new(), |lessons| {
+            format!(" --lessons {}", for_shell(lessons))
+        });
+        format!(
+            "{} <code>{}</code>",
+            escaped(&spec.caption),
+            escaped(&format!("{command}{lessons}"))
+        )
+    }
+
     /// The chapter and the figure, and a number if that was given before.
-    fn id(&mut self, chapter: &str, name: &FigureName) -> String {
+    fn id(&mut self, name: &FigureName) -> String {
         let id = word(&format!(
-            "raystep-{chapter}-{}-{}",
-            name.lesson, name.figure
+            "raystep-{}-{}-{}",
+            self.chapter, name.lesson, name.figure
         ));
         // no word has a _, so that no number and no part of a drawing makes the id of another figure
         let numbered = (2..).map(|number| format!("{id}_{number}"));
@@ -172,6 +208,23 @@ impl<'a> Expander<'a> {
         self.ids.insert(free.clone());
         free
     }
+}
+
+/// The drawing of a figure, on one line.
+fn drawing(named: &Named, id: &str, up_to: Option<UpTo>) -> Result<String, String> {
+    let Named {
+        name,
+        lesson,
+        spec,
+        traced,
+    } = named;
+    let rendition = Rendition {
+        up_to,
+        ..Rendition::default()
+    };
+    let drawn = lesson.draw(&name.figure, spec, traced, id, (Width::Book, rendition));
+    let drawn = drawn.map_err(|error| error.to_string())?;
+    Ok(one_line(&drawn.svg))
 }
 
 /// What is wrong with a lesson; files outside of its folder are allowed in `book.toml`.
@@ -215,24 +268,6 @@ fn asks(word: &str) -> Result<Asks, String> {
     Err(format!("there is no directive {}\n  {fix}", quoted(word)))
 }
 
-fn unknown_option(word: &str, known: &[&str]) -> String {
-    let known = known.join(", ");
-    format!(
-        "{} is not one of its options\n  they are {known}",
-        quoted(word)
-    )
-}
-
-fn whole_number(option: &str, text: &str) -> Result<u32, String> {
-    let number = text.parse();
-    number.map_err(|_| {
-        format!(
-            "{option}={} is not a whole number\n  as in {option}=12",
-            quoted(text)
-        )
-    })
-}
-
 /// A path as a shell reads it.
 fn for_shell(path: &str) -> String {
     let plain = |c: char| c.is_ascii_alphanumeric() || "._/-".contains(c);
@@ -264,12 +299,7 @@ fn log(named: &Named, words: &[String]) -> Result<String, String> {
     }
     let traced = first(named)?;
     let pixel = named.spec.traced_pixels().first().copied();
-    let records: Vec<_> = traced
-        .records
-        .iter()
-        .filter(|record| record.pixel.is_none() || record.pixel == pixel)
-        .copied()
-        .collect();
+    let records = traced.of_pixel(pixel);
     let has = |ray: u32| records.iter().any(|record| record.ray == Some(ray));
     if let Some(ray) = options.ray.filter(|&ray| !has(ray)) {
         let last = records.iter().filter_map(|record| record.ray).max();
@@ -278,11 +308,7 @@ fn log(named: &Named, words: &[String]) -> Result<String, String> {
             None => "this figure has no pixel with rays\n  name a figure with a \"pixel\"".into(),
         });
     }
-    // of this pixel everything was kept
-    let settings = crate::trace::Settings {
-        only: None,
-        ..traced.settings.clone()
-    };
+    let settings = whole_log(traced);
     let page = worked_solution(&traced.scene, &settings, &records, &options);
     Ok(html(&page, hint))
 }

@@ -7,7 +7,9 @@ mod expand;
 mod html;
 pub(crate) mod preprocessor;
 mod protocol;
+mod stepper;
 mod value;
+mod words;
 
 pub use error::{BookError, BookMistake};
 pub use preprocessor::{BookOptions, Preprocessed};

@@ -113,14 +113,14 @@ fn follow(book: &mut Book, expander: &mut Expander) -> Vec<BookMistake> {
     let mut mistakes = Vec::new();
     book.for_each_chapter(&mut |chapter| {
         let file = chapter.file;
-        let slug = word(file.trim_end_matches(".md"));
+        expander.begin_chapter(word(file.trim_end_matches(".md")));
         let content = &*chapter.content;
         let mut followed = String::with_capacity(content.len());
         let mut copied = 0;
         for directive in directives(content) {
             followed.push_str(&content[copied..directive.range.start]);
             copied = directive.range.end;
-            match expander.expand(&directive, &slug) {
+            match expander.expand(&directive) {
                 Ok(text) => followed.push_str(&text),
                 Err(what) => mistakes.push(BookMistake {
                     chapter: file.clone(),

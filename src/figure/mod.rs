@@ -5,6 +5,7 @@
 
 mod cost_chart;
 mod draw;
+mod drawn_up_to;
 mod error;
 mod heat_map;
 mod kind;
@@ -21,6 +22,7 @@ mod view;
 
 pub use cost_chart::cost_chart;
 pub use draw::{Drawn, DrawnStage, draw};
+pub use drawn_up_to::{DrawnUpTo, Far};
 pub use error::FigureError;
 pub use heat_map::{Raster, heat_map};
 pub(crate) use near::around_rays;

@@ -6,8 +6,8 @@ use std::io::{self, BufRead, Write};
 use crate::figure::sheet::image::Image;
 use crate::scene::{LONGEST_LINE, ReadEnd, Scene, read_up_to};
 use crate::trace::{
-    Event, EventWriter, LogError, LogNames, LogReader, OfPixels, Record, Settings, write_log_head,
-    write_of_pixels,
+    Event, EventWriter, LogError, LogNames, LogReader, OfPixels, Record, Settings,
+    keep_paths_behind, write_log_head, write_of_pixels,
 };
 
 /// The log of a figure: every event of the pixels that it draws, and of all pixels what else it shows.
@@ -38,7 +38,7 @@ impl Section<'_> {
     }
 
     /// How many steps a figure has up to its end.
-    fn after(&self) -> u32 {
+    pub(super) fn after(&self) -> u32 {
         self.records
             .last()
             .map_or(self.before, |last| self.step(last) + 1)
@@ -127,17 +127,15 @@ impl Traced {
         Section { records, before }
     }
 
-    /// The step of a record for the kinds of figure that draw paths of light, which come before the pixel.
-    pub(crate) fn step_with_paths(&self, record: &Record) -> u32 {
-        let own = |section: &Section| section.records[0].path == record.path;
-        match record.path {
-            Some(_) => self
-                .paths()
-                .iter()
-                .find(|of| own(of))
-                .map_or(record.step, |of| of.step(record)),
-            None => self.after_paths(&[]).step(record),
+    /// What was recorded of one pixel, with the building and the paths of light that led to it before; without a pixel the
+    /// building and all paths.
+    pub fn of_pixel(&self, pixel: Option<[u32; 2]>) -> Vec<Record> {
+        let wanted = |record: &&Record| record.pixel.is_none() || record.pixel == pixel;
+        let mut records = self.records.iter().filter(wanted).copied().collect();
+        if let Some(pixel) = pixel {
+            keep_paths_behind(pixel, &self.settings, &mut records);
         }
+        records
     }
 
     /// How the structure was built.

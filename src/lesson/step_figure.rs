@@ -4,8 +4,8 @@ use glam::DVec3;
 
 use crate::explain::Section;
 use crate::figure::{
-    Drawn, FigureError, FigureKind, FigureSpec, Layer, Rendition, Traced, UpTo, Width, around_rays,
-    draw,
+    Drawn, DrawnUpTo, Far, FigureError, FigureKind, FigureSpec, Layer, Rendition, Traced, UpTo,
+    Width, around_rays, draw,
 };
 use crate::lesson::own_figure::{has_frame, view};
 use crate::scene::PrimitiveId;
@@ -63,7 +63,7 @@ impl StepFigures {
         let mut first = None;
         for spec in self.specs(log, step) {
             let rendition = Rendition {
-                up_to: Some(UpTo::Step(self.last_step(log, step, spec.kind))),
+                up_to: self.up_to(log, step, spec.kind),
                 ..rendition
             };
             match draw(&spec, &self.traced, id, width, rendition) {
@@ -143,21 +143,15 @@ impl StepFigures {
         spec
     }
 
-    /// The step of the figure that the last event of a step is.
-    fn last_step(&self, log: &StepLog, step: usize, kind: FigureKind) -> u32 {
+    /// Up to the last event of a step.
+    fn up_to(&self, log: &StepLog, step: usize, kind: FigureKind) -> Option<UpTo> {
         let last = &log.records[log.step(step).events.end - 1];
-        if draws_paths(kind) {
-            self.traced[0].step_with_paths(last)
-        } else {
-            last.step
+        match DrawnUpTo::new(kind, &self.traced[0]).after(last) {
+            Far::Nothing => Some(UpTo::Step(0)),
+            Far::Step(step) => Some(UpTo::Step(step)),
+            Far::Whole => None,
         }
     }
-}
-
-/// Does this kind of figure count the steps of the paths of light before those of the pixel?
-fn draws_paths(kind: FigureKind) -> bool {
-    use FigureKind::{Connections, Gather, Irradiance, Paths, Rays};
-    matches!(kind, Rays | Paths | Gather | Connections | Irradiance)
 }
 
 /// What shows a section or a ray.

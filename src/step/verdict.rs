@@ -55,6 +55,29 @@ impl Became {
         deciding.filter(|became| matches!(became, Self::Tested(..) | Self::Saved))
     }
 
+    /// ✓ of what was found, arrives or counts, ✗ of what was refused, · where neither is said.
+    pub fn sign(self) -> char {
+        match self {
+            Self::Tested(Verdict::Hit, _)
+            | Self::Counted(true)
+            | Self::Node(NodeVerdict::Entered)
+            | Self::Ray(RayVerdict::Hit | RayVerdict::ReachesLight | RayVerdict::Connects)
+            | Self::Photon(
+                PhotonVerdict::Mirrored | PhotonVerdict::Refracted | PhotonVerdict::Diffused,
+            )
+            | Self::Light(Visibility::Visible) => '✓',
+            Self::Tested(Verdict::Rejected, _)
+            | Self::Counted(false)
+            | Self::Node(NodeVerdict::Rejected | NodeVerdict::Pruned)
+            | Self::Ray(RayVerdict::Miss | RayVerdict::Blocked)
+            | Self::Photon(PhotonVerdict::Absorbed)
+            | Self::Light(Visibility::Shadowed | Visibility::FacesAway) => '✗',
+            Self::Saved
+            | Self::Ray(RayVerdict::DepthLimit | RayVerdict::Absorbed | RayVerdict::CutOff)
+            | Self::Light(Visibility::NotTested) => '·',
+        }
+    }
+
     /// Is it the same but for the reason?
     pub(in crate::step) fn is_like(self, other: Self) -> bool {
         match (self, other) {

@@ -34,6 +34,7 @@ pub(crate) use record::Off;
 pub(crate) use record::Record;
 pub(crate) use record::Recorder;
 pub(crate) use record::Recording;
+pub(crate) use record::keep_paths_behind;
 pub use record::{
     Budget, Filter, Item, Kinds, LightCount, PathSieve, RayCount, RayNode, RayTree, Region,
     SearchCount, Sink, TestCount, UsefulRays,

@@ -9,7 +9,6 @@ mod markdown;
 mod plain;
 
 pub use ansi::ansi;
-#[cfg(feature = "book")]
 pub(crate) use html::escaped;
 pub use html::{STYLE, html, html_document};
 pub use markdown::markdown;

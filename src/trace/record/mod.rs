@@ -11,6 +11,7 @@ pub(crate) use counts::Counts;
 pub use counts::{LightCount, RayCount, SearchCount, TestCount};
 pub use filter::{Budget, Filter, Kinds, Region};
 pub use path_sieve::PathSieve;
+pub(crate) use path_sieve::keep_paths_behind;
 pub use ray_tree::{Item, RayNode, RayTree};
 pub(crate) use recorder::Off;
 pub(crate) use recorder::Record;

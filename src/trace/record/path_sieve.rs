@@ -106,11 +106,7 @@ impl<S: Sink> Sink for PathSieve<S> {
 }
 
 /// The paths of light that led to a pixel, of records that hold the pixel's own and those of paths.
-pub(in crate::trace) fn keep_paths_behind(
-    pixel: [u32; 2],
-    settings: &Settings,
-    records: &mut Vec<Record>,
-) {
+pub(crate) fn keep_paths_behind(pixel: [u32; 2], settings: &Settings, records: &mut Vec<Record>) {
     let region = Region::pixel(pixel);
     if !names_paths(settings) {
         // only the log's head shows it: the log was made for this pixel
@@ -149,7 +145,8 @@ fn names_paths(settings: &Settings) -> bool {
         Transport::HybridConnected => Kind::Connection,
         Transport::Backward | Transport::HybridLight => return false,
     };
-    let only = settings.only.as_ref();
+    // the log of a figure holds all of the paths and of the pixels that it shows, whatever it keeps of other pixels
+    let only = settings.only.as_ref().filter(|_| settings.figure.is_none());
     only.is_none_or(|kept| kept.iter().any(|name| name == kind.name()))
 }
 

@@ -1,0 +1,20 @@
+//! Steps in HTML: a pixel's steps as data, and the pages that show them.
+//!
+//! ```text
+//! step + explain ─▶ steps    all that the steps of a pixel say, their questions, and the tables of their moves
+//!                     │
+//!                     ├─ json      the data inside a page: every text stays text
+//!                     └─ stepper   the stepper of a book: the figure, and the list of its steps
+//!
+//! core.js, core.css         what the pages share: a step's words, and its question
+//! stepper.js, stepper.css   the stepper of a book
+//! ```
+//!
+//! The words, the questions and the moves come from `step`. The scripts look them up and show them; they compute none.
+
+mod json;
+mod stepper;
+mod steps;
+
+pub use stepper::{Stepper, shared, stepper};
+pub use steps::{LineFace, MovesFace, PixelSteps, QuestionFace, StepFace};

@@ -1,0 +1,103 @@
+//! The stepper of a book: a figure that is drawn up to a step, with the step's words, and the list of all steps.
+//!
+//! Without its script, and in print, it is the complete figure and the list. The figure and its data are one line of HTML;
+//! the style and the script stand once in each chapter.
+
+use std::fmt::Write;
+
+use crate::explain::render::escaped;
+use crate::page::json::inline_json;
+use crate::page::steps::{PixelSteps, StepFace};
+
+/// What a stepper shows.
+#[derive(Clone, Copy, Debug)]
+pub struct Stepper<'a> {
+    /// The figure's drawing, on one line.
+    pub svg: &'a str,
+    /// The id of the whole.
+    pub id: &'a str,
+    /// What stands below the figure, as HTML on one line.
+    pub caption: &'a str,
+    /// The steps.
+    pub steps: &'a PixelSteps,
+    /// Is the question asked before the verdict is shown?
+    pub predicts: bool,
+}
+
+/// The figure of a stepper, on one line.
+pub fn stepper(stepper: &Stepper) -> String {
+    let Stepper {
+        svg,
+        id,
+        caption,
+        steps,
+        predicts,
+    } = stepper;
+    let predict = if *predicts { " data-predict" } else { "" };
+    let heading = match steps.steps.len() {
+        1 => "1 step".into(),
+        many => format!("All {many} steps"),
+    };
+    let items: String = steps.steps.iter().map(item).collect();
+    format!(
+        "<figure class=\"raystep raystep-stepper\" id=\"{id}\"{predict}>{svg}<figcaption>{caption}</figcaption>\
+         <p class=\"raystep-heading\">{heading}</p><ol class=\"raystep-list\">{items}</ol>\
+         <script type=\"application/json\">{}</script></figure>",
+        inline_json(steps)
+    )
+}
+
+/// A step in the list: all that it says.
+fn item(step: &StepFace) -> String {
+    let mut html = format!(
+        "<li><div class=\"raystep-words\"><p class=\"raystep-title\">{}</p><p class=\"raystep-place\">{}</p>",
+        escaped(&step.title),
+        escaped(&step.place)
+    );
+    for line in &step.lines {
+        let gap = if line.gap { " gap" } else { "" };
+        // writing into a String does not fail
+        let _ = write!(
+            html,
+            "<div class=\"raystep-line {}{gap}\" style=\"--indent: {}\">{}</div>",
+            line.tone,
+            line.indent,
+            escaped(&line.text)
+        );
+    }
+    html.push_str("<div class=\"raystep-facts\">");
+    for fact in &step.facts {
+        let _ = write!(html, "<div>{}</div>", escaped(fact));
+    }
+    html.push_str("</div></div></li>");
+    html
+}
+
+/// The style and the script of the steppers, once for a chapter: lines of HTML, none of which is empty.
+pub fn shared() -> String {
+    let style = [include_str!("core.css"), include_str!("stepper.css")].concat();
+    let script = [include_str!("core.js"), include_str!("stepper.js")].concat();
+    let script = script.lines().filter(|line| !line.trim().is_empty());
+    let script: Vec<&str> = script.collect();
+    format!(
+        "<style>\n{}\n</style>\n<script>\n(() => {{\n\"use strict\";\n{}\n}})();\n</script>",
+        style.trim_end(),
+        script.join("\n")
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn style_and_script_have_at_most_20_kb_and_no_line_that_ends_a_block() {
+        let shared = shared();
+        assert!(shared.len() <= 20_000, "{}", shared.len());
+        assert!(shared.lines().all(|line| !line.trim().is_empty()));
+        // mdBook reads these as its own
+        assert!(!shared.contains("{{"));
+        // nothing comes from elsewhere
+        assert!(!shared.contains("http") && !shared.contains("url("));
+    }
+}
