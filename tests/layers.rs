@@ -77,6 +77,7 @@ const CRATES_OF: [(&str, &[&str]); 20] = [
             "mistake",
             "explain",
             "figure",
+            "lesson",
         ],
     ),
     ("memchr", &["scene", "trace"]),

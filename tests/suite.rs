@@ -7,6 +7,7 @@ mod calculator;
 mod cli;
 mod compare;
 mod exact;
+mod exercises;
 mod figure_coordinates;
 mod figures;
 mod grid_exact;

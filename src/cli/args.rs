@@ -2,6 +2,7 @@
 
 mod colours;
 mod figures;
+mod lesson;
 mod step;
 mod tracing;
 mod values;
@@ -18,6 +19,7 @@ pub(crate) use colours::Colours;
 pub(crate) use figures::{
     Drawing, FigureArgs, FiguresArgs, MdbookArgs, MdbookVerb, Subject, WidthName,
 };
+pub(crate) use lesson::{LessonArgs, LessonVerb, ReportFormat};
 pub(crate) use step::StepArgs;
 pub(crate) use tracing::{Casting, Reading, Tracing};
 pub(crate) use values::refuse_negative;
@@ -65,6 +67,8 @@ pub(crate) enum Verb {
     Figure(FigureArgs),
     /// Draw all figures of the lessons, or check that existing ones are up to date.
     Figures(FiguresArgs),
+    /// Write out the course's exercises, list and check them, and give hints.
+    Lesson(LessonArgs),
     /// Write a scene in NFF, OBJ or JSON, or the scene of a log, as JSON.
     Convert(ConvertArgs),
     /// Print the JSON Schema of scenes, lessons or logs.

@@ -43,6 +43,13 @@ pub(crate) enum Error {
         /// What to do about it.
         fix: &'static str,
     },
+    /// An exercise, or the folder of the exercises.
+    Exercise {
+        /// What is wrong.
+        what: String,
+        /// What to do about it.
+        fix: String,
+    },
     /// The log could not be read.
     Log(LogError),
     /// A lesson, or a figure of it.
@@ -255,6 +262,7 @@ impl fmt::Display for Error {
             Self::Raster { what, fix } | Self::Subject { what, fix } => {
                 write!(f, "{}\n  {fix}", printable(what))
             }
+            Self::Exercise { what, fix } => write!(f, "{}\n  {}", printable(what), printable(fix)),
             Self::Option { option, fault } => write!(f, "{option}: {fault}\n  {}", fault.fix()),
             Self::Unused {
                 option,

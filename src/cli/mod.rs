@@ -8,6 +8,7 @@ mod error;
 mod figure;
 mod figures;
 mod input;
+mod lesson;
 mod light;
 mod light_options;
 mod mdbook;
@@ -55,6 +56,7 @@ pub(crate) fn run(arguments: impl Iterator<Item = OsString>) -> Result<ExitCode,
         Verb::Compare(args) => compare::run(&args),
         Verb::Figure(args) => figure::run(&args),
         Verb::Figures(args) => figures::run(&args),
+        Verb::Lesson(args) => return lesson::run(&args),
         Verb::Convert(args) => convert::run(&args),
         Verb::Schema(args) => schema::run(&args),
         Verb::Completions(args) => completions::run(&args),

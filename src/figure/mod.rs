@@ -15,6 +15,7 @@ mod parts;
 #[cfg(test)]
 mod read_back;
 pub(crate) mod sheet;
+mod sketch;
 pub(crate) mod spec;
 mod subject;
 pub(crate) mod traced;
@@ -30,6 +31,7 @@ pub(crate) use sheet::Width;
 pub(crate) use sheet::canvas::Rendition;
 pub use sheet::canvas::UpTo;
 pub use sheet::font::text_width;
+pub use sketch::{SketchForm, SketchMark, Whose, sketch};
 pub(crate) use spec::FigureSpec;
 pub use spec::{DroppedAxis, FigureKind, Fineness, Layer};
 pub(crate) use traced::Traced;

@@ -3,10 +3,13 @@
 mod compare;
 mod compare_transports;
 mod error;
+pub mod exercise;
 mod file;
 pub(crate) mod library;
 mod own_figure;
 mod picture;
+#[cfg(feature = "files")]
+mod start;
 mod step_figure;
 mod trace;
 
@@ -22,5 +25,7 @@ pub use library::Lesson;
 #[cfg(feature = "files")]
 pub(crate) use library::Library;
 pub use own_figure::{own_figure, wrong_figure};
+#[cfg(feature = "files")]
+pub use start::{Dependency, course_files};
 pub use step_figure::{StepFigure, StepFigures};
 pub use trace::trace_figure;

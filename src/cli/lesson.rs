@@ -1,0 +1,259 @@
+//! `raystep lesson`: the course's exercises written out, listed, shown, hinted at and checked.
+
+use std::env;
+use std::fmt::Write;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, ExitCode, Stdio};
+
+use raystep::explain::Part;
+use raystep::lesson::exercise::{About, Report, exercises};
+use raystep::lesson::{Dependency, course_files};
+
+use crate::cli::Error;
+use crate::cli::args::{LessonArgs, LessonVerb, ReportFormat};
+use crate::cli::output::Output;
+
+/// Does what is asked for.
+pub(crate) fn run(args: &LessonArgs) -> Result<ExitCode, Error> {
+    match &args.verb {
+        LessonVerb::Start { dir, raystep } => start(dir, raystep.as_deref())?,
+        LessonVerb::List => print(&list())?,
+        LessonVerb::Show { lesson } => print(&show(*lesson)?)?,
+        LessonVerb::Hint {
+            lesson,
+            exercise,
+            depth,
+        } => print(&hint(find(*lesson, exercise)?, *depth))?,
+        LessonVerb::Check {
+            lesson,
+            exercise,
+            format,
+            limit,
+        } => return check(*lesson, exercise.as_deref(), *format, *limit),
+    }
+    Ok(ExitCode::SUCCESS)
+}
+
+fn print(text: &str) -> Result<(), Error> {
+    Output::standard().write_whole(text.as_bytes())
+}
+
+/// Writes the course into a new folder.
+fn start(dir: &Path, raystep: Option<&str>) -> Result<(), Error> {
+    let failed = |source| Error::Write {
+        file: dir.display().to_string(),
+        source,
+    };
+    let is_taken = match fs::read_dir(dir) {
+        Ok(mut entries) => entries.next().is_some(),
+        Err(_) => dir.exists(),
+    };
+    if is_taken {
+        return Err(Error::Exercise {
+            what: format!("{} is there already, and not empty", dir.display()),
+            fix: "choose a new folder: nothing is written over what you have written".into(),
+        });
+    }
+    let dependency = dependency(raystep)?;
+    for (path, bytes) in course_files(&dependency) {
+        let file = dir.join(path);
+        if let Some(folder) = file.parent() {
+            fs::create_dir_all(folder).map_err(failed)?;
+        }
+        fs::write(&file, bytes).map_err(|source| Error::Write {
+            file: file.display().to_string(),
+            source,
+        })?;
+    }
+    print(&format!(
+        "The course is in {}. Start with lesson 1:\n  cd {}\n  raystep lesson show 01\n  cargo test -p lessons l01\n",
+        dir.display(),
+        dir.display()
+    ))
+}
+
+/// Where the exercises get raystep from: what looks like a version is one.
+fn dependency(raystep: Option<&str>) -> Result<Dependency, Error> {
+    let Some(raystep) = raystep else {
+        return Ok(Dependency::Version(env!("CARGO_PKG_VERSION").into()));
+    };
+    if raystep.starts_with(|c: char| c.is_ascii_digit() || "^~=<>*".contains(c)) {
+        return Ok(Dependency::Version(raystep.into()));
+    }
+    let folder = Path::new(raystep);
+    let is_source = folder.join("Cargo.toml").is_file();
+    let absolute = folder.canonicalize().ok().filter(|_| is_source);
+    let absolute = absolute.ok_or_else(|| Error::Exercise {
+        what: format!("--raystep {raystep}: there is no Cargo.toml in this folder"),
+        fix: "give the folder of raystep's source, or a version such as 0.1.0".into(),
+    })?;
+    Ok(Dependency::Path(absolute.display().to_string()))
+}
+
+fn abouts() -> impl Iterator<Item = &'static About> {
+    exercises().into_iter().map(|exercise| exercise.about())
+}
+
+fn find(lesson: u8, name: &str) -> Result<&'static About, Error> {
+    let of_lesson = of_lesson(lesson)?;
+    let found = of_lesson
+        .iter()
+        .find(|about| about.name == name || about.id() == name);
+    found.copied().ok_or_else(|| Error::Exercise {
+        what: format!("lesson {lesson} has no exercise called {name}"),
+        fix: format!("its exercises are {}", names(&of_lesson)),
+    })
+}
+
+fn of_lesson(lesson: u8) -> Result<Vec<&'static About>, Error> {
+    let found: Vec<_> = abouts().filter(|about| about.lesson == lesson).collect();
+    if found.is_empty() {
+        let last = abouts().map(|about| about.lesson).max().unwrap_or(0);
+        return Err(Error::Exercise {
+            what: format!("there is no lesson {lesson}"),
+            fix: format!("the lessons are 1 to {last}"),
+        });
+    }
+    Ok(found)
+}
+
+fn names(abouts: &[&About]) -> String {
+    let names: Vec<&str> = abouts.iter().map(|about| about.name).collect();
+    names.join(", ")
+}
+
+/// The folder in which the checks of this course write.
+fn written() -> PathBuf {
+    let target = env::var_os("CARGO_TARGET_DIR").map_or_else(|| "target".into(), PathBuf::from);
+    target.join("lessons")
+}
+
+/// What the last check of an exercise said.
+fn mark(about: &About) -> char {
+    let file = written().join(format!("{}.json", about.id()));
+    let report = fs::read_to_string(file)
+        .ok()
+        .and_then(|text| Report::parse(&text));
+    match report.as_ref().map_or("not written", Report::state) {
+        "right" => '●',
+        "not written" => '○',
+        _ => '◐',
+    }
+}
+
+fn list() -> String {
+    let mut text = String::new();
+    let widest = abouts().map(|about| about.name.chars().count()).max();
+    let widest = widest.unwrap_or(0);
+    for about in abouts() {
+        let _ = writeln!(
+            text,
+            "{} {:02} {:<widest$}  {}",
+            mark(about),
+            about.lesson,
+            about.name,
+            about.title
+        );
+    }
+    let right = abouts().filter(|about| mark(about) == '●').count();
+    let _ = writeln!(
+        text,
+        "\n{right} of {} right when they were last checked",
+        abouts().count()
+    );
+    text
+}
+
+/// The folder of a lesson, as it is named in this folder or below it.
+fn folder_of(lesson: u8) -> String {
+    let number = format!("{lesson:02}-");
+    let found = ["", "lessons"].iter().find_map(|above| {
+        let here = if above.is_empty() { "." } else { above };
+        let entries = fs::read_dir(here).ok()?.flatten();
+        let mut names = entries.map(|entry| entry.file_name().to_string_lossy().into_owned());
+        let name = names.find(|name| name.starts_with(&number))?;
+        Some(Path::new(above).join(name).display().to_string())
+    });
+    found.unwrap_or_else(|| format!("{number}…"))
+}
+
+fn show(lesson: u8) -> Result<String, Error> {
+    let of_lesson = of_lesson(lesson)?;
+    let mut text = format!(
+        "Lesson {lesson}: write in {}/exercise.rs\n",
+        folder_of(lesson)
+    );
+    for about in &of_lesson {
+        let parts: Vec<&str> = about.parts.iter().map(|part| Part::name(*part)).collect();
+        let _ = writeln!(text, "\n{} {}: {}", mark(about), about.name, about.title);
+        let _ = writeln!(text, "    {}", about.signature);
+        let _ = writeln!(text, "    compared: {}", parts.join("; "));
+        let _ = writeln!(text, "    check:    cargo test -p lessons {}", about.id());
+    }
+    Ok(text)
+}
+
+/// The hints up to a depth.
+fn hint(about: &About, depth: u8) -> String {
+    let mut text = format!("{}: {}\n", about.id(), about.title);
+    for hint in &about.hints[..usize::from(depth)] {
+        let _ = writeln!(text, "  {hint}");
+    }
+    if usize::from(depth) < about.hints.len() {
+        let _ = writeln!(
+            text,
+            "  more: raystep lesson hint {:02} {} --depth {}",
+            about.lesson,
+            about.name,
+            depth + 1
+        );
+    }
+    text
+}
+
+/// Runs the checks of the course in this folder.
+fn check(
+    lesson: Option<u8>,
+    exercise: Option<&str>,
+    format: ReportFormat,
+    limit: u16,
+) -> Result<ExitCode, Error> {
+    let word = match (lesson, exercise) {
+        (None, _) => None,
+        (Some(lesson), None) => {
+            of_lesson(lesson)?;
+            Some(format!("l{lesson:02}_"))
+        }
+        (Some(lesson), Some(name)) => Some(find(lesson, name)?.id()),
+    };
+    if !Path::new("Cargo.toml").is_file() {
+        return Err(Error::Exercise {
+            what: "there is no Cargo.toml in this folder".into(),
+            fix: "change to the folder that 'raystep lesson start DIR' has written".into(),
+        });
+    }
+    let cargo = env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
+    let mut command = Command::new(cargo);
+    command.args(["test", "--quiet", "--package", "lessons", "--"]);
+    command.args(word);
+    command.args(["--format", format.word()]);
+    command.arg("--limit").arg(limit.to_string());
+    if exercise.is_some() {
+        command.arg("--exact");
+    }
+    // cargo would say again that a test has failed
+    let done = command
+        .stdin(Stdio::null())
+        .stderr(Stdio::inherit())
+        .status();
+    let done = done.map_err(|error| Error::Exercise {
+        what: format!("cargo cannot be started: {error}"),
+        fix: "install Rust (https://rustup.rs)".into(),
+    })?;
+    Ok(if done.success() {
+        ExitCode::SUCCESS
+    } else {
+        ExitCode::FAILURE
+    })
+}

@@ -1,0 +1,53 @@
+//! Numbers for cases: the same ones each time.
+
+use glam::DVec3;
+
+/// A stream of numbers, after G. Steele, D. Lea and C. Flood, *Fast splittable pseudorandom number generators* (2014).
+#[derive(Clone, Debug)]
+pub(super) struct Seeded(u64);
+
+impl Seeded {
+    pub(super) fn new(seed: u64) -> Self {
+        Self(seed)
+    }
+
+    /// In [0, 1).
+    pub(super) fn number(&mut self) -> f64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut z = self.0;
+        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        z ^= z >> 31;
+        // 53 bits
+        (z >> 11) as f64 / (1_u64 << 53) as f64
+    }
+
+    pub(super) fn within(&mut self, low: f64, high: f64) -> f64 {
+        low + (high - low) * self.number()
+    }
+
+    /// A whole number below another.
+    pub(super) fn below(&mut self, end: u32) -> u32 {
+        (self.number() * f64::from(end)) as u32
+    }
+
+    /// Each coordinate in [−size, size).
+    pub(super) fn point(&mut self, size: f64) -> DVec3 {
+        DVec3::new(
+            self.within(-size, size),
+            self.within(-size, size),
+            self.within(-size, size),
+        )
+    }
+
+    /// A unit vector.
+    pub(super) fn direction(&mut self) -> DVec3 {
+        loop {
+            let point = self.point(1.0);
+            let length = point.length();
+            if 0.1 < length && length <= 1.0 {
+                return point / length;
+            }
+        }
+    }
+}

@@ -1,0 +1,29 @@
+//! The solutions.
+#![allow(unreachable_pub, clippy::pedantic)]
+
+#[path = "../../lessons/run/attempts.rs"]
+pub(super) mod attempts;
+#[path = "../../lessons/01-pinhole/solution.rs"]
+pub(super) mod l01;
+#[path = "../../lessons/02-simple-tracer/solution.rs"]
+pub(super) mod l02;
+#[path = "../../lessons/03-ray/solution.rs"]
+pub(super) mod l03;
+#[path = "../../lessons/04-sphere/solution.rs"]
+pub(super) mod l04;
+#[path = "../../lessons/05-shading/solution.rs"]
+pub(super) mod l05;
+#[path = "../../lessons/06-polygon/solution.rs"]
+pub(super) mod l06;
+#[path = "../../lessons/07-reflection-refraction/solution.rs"]
+pub(super) mod l07;
+#[path = "../../lessons/08-transport/solution.rs"]
+pub(super) mod l08;
+#[path = "../../lessons/09-cost/solution.rs"]
+pub(super) mod l09;
+#[path = "../../lessons/10-bounds/solution.rs"]
+pub(super) mod l10;
+#[path = "../../lessons/11-hierarchy/solution.rs"]
+pub(super) mod l11;
+#[path = "../../lessons/12-grid/solution.rs"]
+pub(super) mod l12;
