@@ -4,6 +4,7 @@ pub(crate) mod run;
 pub(crate) mod strategies;
 
 pub(crate) mod figures;
+mod lesson;
 mod logs;
 mod manners;
 mod own_figure;

@@ -3,5 +3,5 @@
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
-    lessons::run::main(std::env::args().skip(1))
+    lessons::run::main(std::env::args().skip(1), lessons::attempts::attempts)
 }

@@ -9,9 +9,8 @@ use std::sync::{Mutex, PoisonError};
 
 use raystep::lesson::exercise::{Outcome, Report, Watch, message};
 
-use crate::attempts::attempts;
 use crate::limits::limit;
-use crate::run::{Files, commands};
+use crate::run::{Attempts, Files, commands};
 
 /// Where the last panic was.
 static PANICKED_AT: Mutex<Option<String>> = Mutex::new(None);
@@ -48,7 +47,7 @@ impl Watch for InFile {
 }
 
 /// Checks an exercise and writes the result.
-pub(crate) fn check(id: &str, seconds: u64, folder: &Path) {
+pub(crate) fn check(attempts: Attempts, id: &str, seconds: u64, folder: &Path) {
     limit(seconds);
     panic::set_hook(Box::new(|info| {
         let mut at = PANICKED_AT.lock().unwrap_or_else(PoisonError::into_inner);

@@ -11,10 +11,9 @@ use std::thread;
 use std::time::{Duration, Instant};
 
 use raystep::lesson::exercise::{
-    About, CaseSaid, Commands, Outcome, Report, See, exercises, junit, message,
+    About, Attempt, CaseSaid, Commands, Outcome, Report, See, exercises, junit, message,
 };
 
-use crate::attempts::attempts;
 use crate::limits::MEMORY;
 use crate::{child, files};
 
@@ -28,8 +27,11 @@ const USUAL_SECONDS: u64 = 10;
 const WAITS: u32 = 3;
 /// More than so many bytes are a flood.
 const FLOOD: usize = 8 << 20;
-/// What is shown of your own output.
-const SHOWN: usize = 2000;
+/// What is kept of your own output, in bytes.
+const SHOWN: usize = 4000;
+/// And how many lines of it are shown, up to which column.
+const LINES: usize = 20;
+const COLUMNS: usize = 120;
 
 /// What a check of one exercise writes.
 #[derive(Debug)]
@@ -128,9 +130,12 @@ impl Asked {
     }
 }
 
+/// All functions that are checked.
+pub type Attempts = fn() -> Vec<Box<dyn Attempt>>;
+
 /// The program `check`.
-pub fn main(words: impl Iterator<Item = String>) -> ExitCode {
-    if be_child() {
+pub fn main(words: impl Iterator<Item = String>, attempts: Attempts) -> ExitCode {
+    if be_child(attempts) {
         return ExitCode::SUCCESS;
     }
     let asked = match Asked::of(words) {
@@ -196,14 +201,19 @@ fn say(line: &str) {
 }
 
 /// Checks an exercise in this process, if it was started for that.
-pub fn be_child() -> bool {
+pub fn be_child(attempts: Attempts) -> bool {
     let Ok(id) = env::var(EXERCISE) else {
         return false;
     };
     let seconds = env::var(SECONDS)
         .ok()
         .and_then(|seconds| seconds.parse().ok());
-    child::check(&id, seconds.unwrap_or(USUAL_SECONDS), &files::written());
+    child::check(
+        attempts,
+        &id,
+        seconds.unwrap_or(USUAL_SECONDS),
+        &files::written(),
+    );
     true
 }
 
@@ -323,7 +333,11 @@ fn check_one(id: &str, seconds: u64, folder: &Path) -> Report {
         // what a student prints to look for a mistake
         let text = heard.text();
         if !text.is_empty() && report.state() != "right" {
-            eprintln!("{id} printed:\n{}", text.trim_end());
+            eprintln!("{id} printed:");
+            for line in text.lines().take(LINES) {
+                let beginning: String = line.chars().take(COLUMNS).collect();
+                eprintln!("  {beginning}");
+            }
         }
     }
     report

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode, Stdio};
 
 use raystep::explain::Part;
-use raystep::lesson::exercise::{About, Report, exercises};
+use raystep::lesson::exercise::{About, Exercise, Report, exercises};
 use raystep::lesson::{Dependency, course_files};
 
 use crate::cli::Error;
@@ -92,7 +92,7 @@ fn dependency(raystep: Option<&str>) -> Result<Dependency, Error> {
 }
 
 fn abouts() -> impl Iterator<Item = &'static About> {
-    exercises().into_iter().map(|exercise| exercise.about())
+    exercises().into_iter().map(Exercise::about)
 }
 
 fn find(lesson: u8, name: &str) -> Result<&'static About, Error> {
@@ -235,7 +235,15 @@ fn check(
     }
     let cargo = env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
     let mut command = Command::new(cargo);
-    command.args(["test", "--quiet", "--package", "lessons", "--"]);
+    command.args([
+        "test",
+        "--quiet",
+        "--package",
+        "lessons",
+        "--test",
+        "check",
+        "--",
+    ]);
     command.args(word);
     command.args(["--format", format.word()]);
     command.arg("--limit").arg(limit.to_string());

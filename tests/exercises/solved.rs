@@ -1,5 +1,5 @@
 //! The solutions.
-#![allow(unreachable_pub, clippy::pedantic)]
+#![allow(unreachable_pub, clippy::duplicate_mod, clippy::pedantic)]
 
 #[path = "../../lessons/run/attempts.rs"]
 pub(super) mod attempts;

@@ -1,5 +1,11 @@
 //! What a student begins with.
-#![allow(unreachable_pub, unused_imports, unused_variables, clippy::pedantic)]
+#![allow(
+    unreachable_pub,
+    unused_imports,
+    unused_variables,
+    clippy::duplicate_mod,
+    clippy::pedantic
+)]
 
 #[path = "../../lessons/run/attempts.rs"]
 pub(super) mod attempts;

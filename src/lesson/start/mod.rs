@@ -52,6 +52,7 @@ const RUN: &[(&str, &[u8])] = &[
     ("run/check.rs", include_bytes!("check.rs.txt")),
     ("run/child.rs", include_bytes!("child.rs.txt")),
     ("run/files.rs", include_bytes!("files.rs.txt")),
+    ("run/hostile.rs", include_bytes!("hostile.rs.txt")),
     ("run/lib.rs", include_bytes!("lib.rs.txt")),
     ("run/limits.rs", include_bytes!("limits.rs.txt")),
     ("run/parts.rs", include_bytes!("parts.rs.txt")),

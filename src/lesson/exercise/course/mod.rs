@@ -1,5 +1,10 @@
 //! The exercises of the course: a file for each lesson.
 
+#![expect(
+    clippy::type_complexity,
+    reason = "the type of an exercise says the signature of the function that a student writes"
+)]
+
 mod l01;
 mod l02;
 mod l03;
