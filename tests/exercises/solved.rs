@@ -1,7 +1,7 @@
 //! The solutions.
 #![allow(unreachable_pub, clippy::duplicate_mod, clippy::pedantic)]
 
-#[path = "../../lessons/run/attempts.rs"]
+#[path = "../../src/lesson/start/attempts.rs.txt"]
 pub(super) mod attempts;
 #[path = "../../lessons/01-pinhole/solution.rs"]
 pub(super) mod l01;

@@ -7,7 +7,7 @@
     clippy::pedantic
 )]
 
-#[path = "../../lessons/run/attempts.rs"]
+#[path = "../../src/lesson/start/attempts.rs.txt"]
 pub(super) mod attempts;
 #[path = "../../lessons/01-pinhole/exercise.rs"]
 pub(super) mod l01;
