@@ -20,7 +20,7 @@
 //! 9. [`figure`]: from events to the figures of a lecture; bars of costs and heat maps;
 //! 10. [`step`]: a log as a tree of steps, walked forwards and backwards, with the state at each;
 //! 11. [`page`]: the steps of a pixel in HTML: the stepper of a book;
-//! 12. [`lesson`]: the course's data, and the traces that its figures are drawn from.
+//! 12. [`lesson`]: the course's data, the traces that its figures are drawn from, and its exercises.
 //!
 //! These are the core: no file system, no clock, no threads but by the feature `threads`. Above it are `files` (the file
 //! system), `book` (the preprocessor for mdBook) and the command `raystep` (feature `cli`). What most programs need is at
