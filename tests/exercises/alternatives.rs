@@ -440,9 +440,32 @@ fn by_counting_planes(around: &AxisBox, resolution: [u32; 3], point: DVec3) -> [
     [of(0), of(1), of(2)]
 }
 
+/// N·H in place of R·V.
+fn blinn(
+    light: &Light,
+    material: &Material,
+    point: DVec3,
+    normal: DVec3,
+    to_viewer: DVec3,
+) -> PhongTerm {
+    let term = light.phong(material, point, normal, to_viewer);
+    let half = (term.to_light + to_viewer).normalize();
+    let Emission::Colour(colour) = light.emission else {
+        return term;
+    };
+    let highlight = normal.dot(half).max(0.0).powf(material.shininess);
+    let lit = if 0.0 < term.n_dot_l { 1.0 } else { 0.0 };
+    PhongTerm {
+        specular: lit * material.specular * highlight * colour,
+        ..term
+    }
+}
+
 /// Right in another form than the one that is asked for.
 pub(super) fn other_forms() -> Vec<Box<dyn Attempt>> {
     vec![
+        course::EYE_RAY.with(|camera, to_window| Ray::new(camera.cop, to_window)),
+        course::LIGHT_TERM.with(blinn),
         course::COEFFICIENTS.with(|sphere, ray| {
             let offset = ray.origin - sphere.center;
             let c = offset.length_squared() - sphere.radius.powi(2);

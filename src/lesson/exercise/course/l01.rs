@@ -8,7 +8,7 @@ use crate::geometry::Ray;
 use crate::lesson::exercise::course::shared::{arrow, mark};
 use crate::lesson::exercise::seeded::Seeded;
 use crate::lesson::exercise::value::{number, vector};
-use crate::lesson::exercise::{About, Answer, Case, Exercise, See, Task, answer};
+use crate::lesson::exercise::{About, Answer, Case, Exercise, Form, See, Task, Value, answer};
 use crate::mistake::Wrong;
 use crate::scene::Camera;
 use crate::trace::Kind;
@@ -235,7 +235,15 @@ pub static EYE_RAY: Task<Place, fn(&Camera, DVec3) -> Ray> = Task {
     },
     own: |camera, to_window| Own.eye_ray(camera, to_window),
     mistaken: |_, _| None,
-    forms: &[],
+    forms: &[Form {
+        is: |case, yours| {
+            let to_window = case.camera.to_window(case.x, case.y);
+            let along = yours.last().and_then(|(_, _, value)| value.vector());
+            let along = along.and_then(DVec3::try_normalize);
+            along.is_some_and(|unit| Value::from(unit).is_same(&to_window.normalize().into()))
+        },
+        note: "Δ runs the right way; here it has unit length, so that t is a distance",
+    }],
     scenery: |case| {
         let Camera {
             cop,

@@ -8,7 +8,7 @@ use crate::geometry::{Polygon, Ray, Sphere, TRange};
 use crate::lesson::exercise::course::shared::{arrow, mark, said_range, said_ray, scene};
 use crate::lesson::exercise::seeded::Seeded;
 use crate::lesson::exercise::value::{number, vector};
-use crate::lesson::exercise::{About, Answer, Case, Exercise, See, Task, Value, answer};
+use crate::lesson::exercise::{About, Answer, Case, Exercise, Form, See, Task, Value, answer};
 use crate::mistake::Wrong;
 use crate::scene::{Emission, Light, Material, Normals, PhongTerm, Scene, Shape};
 use crate::trace::Kind;
@@ -230,6 +230,19 @@ fn of_term(term: PhongTerm) -> Answer {
     ]
 }
 
+/// The specular term with the vector H between L and V, after J. Blinn (1977).
+fn half_vector(case: &Lit) -> DVec3 {
+    let to_light = (case.light.position - case.point).normalize_or_zero();
+    let half = (to_light + case.to_viewer).normalize_or_zero();
+    match case.light.emission {
+        Emission::Colour(light) if 0.0 < case.normal.dot(to_light) => {
+            let highlight = libm::pow(case.normal.dot(half).max(0.0), case.material.shininess);
+            light * (case.material.specular * highlight)
+        }
+        _ => DVec3::ZERO,
+    }
+}
+
 /// The diffuse and the specular term of a light.
 pub static LIGHT_TERM: Task<Lit, fn(&Light, &Material, DVec3, DVec3, DVec3) -> PhongTerm> = Task {
     about: About {
@@ -354,7 +367,22 @@ pub static LIGHT_TERM: Task<Lit, fn(&Light, &Material, DVec3, DVec3, DVec3) -> P
         ))),
         _ => None,
     },
-    forms: &[],
+    forms: &[Form {
+        is: |case, yours| {
+            let right =
+                of_term(
+                    case.light
+                        .phong(&case.material, case.point, case.normal, case.to_viewer),
+                );
+            let half = half_vector(case);
+            let pairs = yours.iter().zip(&right);
+            pairs.into_iter().all(|(yours, right)| {
+                yours.2.is_same(&right.2)
+                    || (yours.0 == Part::Specular && yours.2.is_same(&half.into()))
+            })
+        },
+        note: "this is Blinn's N·H, with H between L and V; here it is Phong's R·V",
+    }],
     scenery: |case| {
         vec![
             mark(SketchForm::Dot(case.point), "p"),

@@ -145,10 +145,10 @@ fn boxes(case: &SceneRay) -> Vec<SketchMark> {
 }
 
 fn orphan(tree: &Tree<'_>) -> Value {
-    let none = "no";
+    let none = "none";
     tree.noted().orphan.map_or_else(
         || Value::word(none),
-        |node| Value::word(format!("yes: node {node}")),
+        |node| Value::word(format!("node {node}")),
     )
 }
 
@@ -178,11 +178,7 @@ fn hier_traverse(tree: &Tree<'_>, ray: &Ray) -> Found {
 }
 
 fn of_traverse(case: &SceneRay, orphan: Value, hit: Option<Hit>) -> Answer {
-    let mut answer = vec![(
-        Part::Node,
-        "a node was tested though its parent is missed",
-        orphan,
-    )];
+    let mut answer = vec![(Part::Node, "nodes tested below a missed one", orphan)];
     answer.extend(of_hit(&case.scene, hit));
     answer
 }
@@ -228,7 +224,7 @@ pub static HIER_TRAVERSE: Task<SceneRay, fn(&Tree<'_>, &Ray) -> Found> = Task {
     mistaken: |wrong, case| match wrong {
         Wrong::Nearest(_) | Wrong::Hit(_) => {
             let hit = wrong.nearest(&case.scene, &case.ray, case.range);
-            Some(of_traverse(case, Value::word("no"), hit))
+            Some(of_traverse(case, Value::word("none"), hit))
         }
         _ => None,
     },

@@ -546,7 +546,11 @@ pub static NEXT_CELL: Task<InCell, fn([u32; 3], [f64; 3], DVec3, [u32; 3]) -> Op
             signature: "pub fn next_cell(cell: [u32; 3], next: [f64; 3], direction: DVec3, resolution: [u32; 3]) -> Option<[u32; 3]>",
             parts: &[Part::Cell],
             uses: &[Part::NextPlanes],
-            mistakes: &["steps the largest t", "two axes at once"],
+            mistakes: &[
+                "next plane always +1",
+                "steps the largest t",
+                "two axes at once",
+            ],
             see: see(Kind::Cell, 3),
             hints: [
                 "The ray leaves the cell through the plane that it reaches first. Which number of the cell changes, and by how much?",
@@ -639,6 +643,17 @@ pub static NEXT_CELL: Task<InCell, fn([u32; 3], [f64; 3], DVec3, [u32; 3]) -> Op
             behind(cell, smallest(next), direction, resolution)
         },
         mistaken: |wrong, case| match wrong {
+            Wrong::NextPlane(wrong) => {
+                let next = planes_by(case, next_plane).map(|[t, _]| t);
+                // towards the plane that it takes for the next one
+                let towards = [0, 1, 2].map(|axis| {
+                    let direction = case.ray.direction[axis];
+                    let is_down = wrong(case.cell[axis], direction) == case.cell[axis];
+                    if is_down { -1.0 } else { 1.0 }
+                });
+                let behind = behind(case.cell, smallest(next), towards.into(), case.resolution);
+                Some(of_next(behind))
+            }
             Wrong::PlanesCrossed(wrong) => {
                 let next = planes_by(case, next_plane).map(|[t, _]| t);
                 Some(of_next(behind(
