@@ -398,6 +398,21 @@ fn a_note_tells_how_to_keep_what_is_escaped() {
     );
 }
 
+/// What a step says as the plain face prints it, from the data of a page.
+pub(crate) fn plain_words(step: &Value) -> String {
+    let text = |value: &Value| value.as_str().unwrap().to_owned();
+    let mut told = format!("\n{}\n{}\n", text(&step["title"]), text(&step["place"]));
+    for line in step["lines"].as_array().unwrap() {
+        if line["gap"] == true {
+            told.push('\n');
+        }
+        let indent = line["indent"].as_u64().unwrap() as usize;
+        told.extend(["  ".repeat(indent), text(&line["text"]), "\n".into()]);
+    }
+    let facts = step["facts"].as_array().unwrap().iter();
+    told + &facts.map(|fact| text(fact) + "\n").collect::<String>()
+}
+
 /// What the steps of a stepper say as the plain face prints them: from its data, and from its list.
 fn told(figure: &str) -> (Vec<String>, Vec<String>) {
     let document = Document::parse(figure).unwrap_or_else(|error| panic!("{error}: {figure}"));
@@ -409,20 +424,7 @@ fn told(figure: &str) -> (Vec<String>, Vec<String>) {
         .descendants()
         .find(|node| node.attribute("type") == Some("application/json"));
     let data: Value = serde_json::from_str(data.unwrap().text().unwrap()).unwrap();
-    let text = |value: &Value| value.as_str().unwrap().to_owned();
-    let of_data = |step: &Value| {
-        let mut told = format!("\n{}\n{}\n", text(&step["title"]), text(&step["place"]));
-        for line in step["lines"].as_array().unwrap() {
-            if line["gap"] == true {
-                told.push('\n');
-            }
-            let indent = line["indent"].as_u64().unwrap() as usize;
-            told.extend(["  ".repeat(indent), text(&line["text"]), "\n".into()]);
-        }
-        let facts = step["facts"].as_array().unwrap().iter();
-        told + &facts.map(|fact| text(fact) + "\n").collect::<String>()
-    };
-    let of_data = data["steps"].as_array().unwrap().iter().map(of_data);
+    let of_data = data["steps"].as_array().unwrap().iter().map(plain_words);
     let of_list = of_class("raystep-words").map(|words| {
         let mut told = String::from("\n");
         for part in words

@@ -4,6 +4,7 @@ pub(crate) mod run;
 pub(crate) mod strategies;
 
 pub(crate) mod figures;
+mod inspect;
 mod lesson;
 mod logs;
 mod manners;

@@ -46,9 +46,10 @@ const CORE: [&str; 12] = [
 ];
 
 /// Every crate that a layer may name, and which layers may; the command line may name any.
-const CRATES_OF: [(&str, &[&str]); 20] = [
+const CRATES_OF: [(&str, &[&str]); 21] = [
     ("anstyle", &["explain"]),
-    ("base64", &["trace", "figure"]),
+    ("base64", &["trace", "figure", "page"]),
+    ("flate2", &["page"]),
     ("font8x8", &["figure"]),
     (
         "glam",
@@ -116,13 +117,14 @@ const CRATES_OF: [(&str, &[&str]); 20] = [
 ];
 
 /// The crates of others.
-const CRATES: [&str; 27] = [
+const CRATES: [&str; 28] = [
     "anstream",
     "anstyle",
     "base64",
     "clap",
     "clap_complete",
     "ctrlc",
+    "flate2",
     "font8x8",
     "glam",
     "indicatif",

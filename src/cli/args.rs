@@ -2,6 +2,7 @@
 
 mod colours;
 mod figures;
+mod inspect;
 mod lesson;
 mod step;
 mod tracing;
@@ -19,6 +20,7 @@ pub(crate) use colours::Colours;
 pub(crate) use figures::{
     Drawing, FigureArgs, FiguresArgs, MdbookArgs, MdbookVerb, Subject, WidthName,
 };
+pub(crate) use inspect::InspectArgs;
 pub(crate) use lesson::{LessonArgs, LessonVerb, ReportFormat};
 pub(crate) use step::StepArgs;
 pub(crate) use tracing::{Casting, Reading, Tracing};
@@ -57,6 +59,8 @@ pub(crate) enum Verb {
     Pixel(PixelArgs),
     /// Step through one pixel, forwards and backwards.
     Step(StepArgs),
+    /// Write a page on which one steps through the pixels of a picture, in one file.
+    Inspect(InspectArgs),
     /// Write every step as a log in JSON Lines.
     Trace(TraceArgs),
     /// Write the picture as PNG.

@@ -152,6 +152,15 @@ pub(crate) enum Error {
         /// The budget.
         budget: u64,
     },
+    /// A page would be larger than it may be.
+    PageTooLarge {
+        /// How large it would be, or already is after some of its pixels.
+        what: String,
+        /// The most megabytes.
+        most: u32,
+        /// What to do about it.
+        fix: &'static str,
+    },
     /// A trace was stopped before its end.
     Stopped {
         /// Why.
@@ -321,6 +330,10 @@ impl fmt::Display for Error {
                 f,
                 "the budget of {budget} events is used up\n  \
                  narrow the trace with --region or --only, lower --max-depth, or raise --budget"
+            ),
+            Self::PageTooLarge { what, most, fix } => write!(
+                f,
+                "{what}, and it may have {most} MB\n  {fix}, or raise --megabytes"
             ),
             Self::Stopped { stopped, transport } => {
                 let fewer = option_for_fewer_rays(*transport);

@@ -8,6 +8,7 @@ mod error;
 mod figure;
 mod figures;
 mod input;
+mod inspect;
 mod lesson;
 mod light;
 mod light_options;
@@ -26,6 +27,7 @@ mod stats;
 mod step;
 mod structure_options;
 mod trace;
+mod typed;
 mod usual;
 mod word;
 
@@ -51,6 +53,7 @@ pub(crate) fn run(arguments: impl Iterator<Item = OsString>) -> Result<ExitCode,
     let done = match verb {
         Verb::Pixel(args) => pixel::run(&args),
         Verb::Step(args) => step::run(&args, &matches),
+        Verb::Inspect(args) => inspect::run(&args, &matches),
         Verb::Trace(args) => trace::run(&args),
         Verb::Render(args) => render::run(&args),
         Verb::Compare(args) => compare::run(&args),

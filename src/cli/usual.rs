@@ -7,7 +7,7 @@ use crate::cli::notes::note;
 
 /// With at most this number of objects a pixel is traced against each of them: the record shows what the slides' simple ray tracer
 /// does, and a picture of 100 × 100 such pixels keeps to the 10⁷ events that a log may have.
-const FEW: usize = 1000;
+pub(crate) const FEW: usize = 1000;
 
 /// What a verb uses where `--strategy` does not choose.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -70,6 +70,22 @@ pub fn heat_map(pixels: [u32; 2], values: &[f64], title: &str) -> Raster {
     sheet.raster()
 }
 
+/// The same colours with one pixel for each value and no legend, and the smallest and the largest value.
+pub fn heat_overlay(pixels: [u32; 2], values: &[f64]) -> (Raster, [f64; 2]) {
+    let scale = Range::of(values);
+    let bytes = values.iter().flat_map(|&value| colour(scale.share(value)));
+    let raster = Raster {
+        pixels,
+        bytes: bytes.collect(),
+    };
+    (raster, [scale.min, scale.max])
+}
+
+/// The colours of a heat map from the smallest value to the largest, in equal steps.
+pub fn heat_scale() -> [[u8; 3]; 9] {
+    SCALE
+}
+
 /// The colour at a share of the scale, from 0 to 1; between two of [`SCALE`] in proportion.
 pub(super) fn colour(share: f64) -> Rgb {
     let place = share.clamp(0.0, 1.0) * (SCALE.len() - 1) as f64;

@@ -5,9 +5,10 @@ use glam::DVec3;
 use crate::explain::Section;
 use crate::figure::{
     Drawn, DrawnUpTo, Far, FigureError, FigureKind, FigureSpec, Layer, Rendition, Traced, UpTo,
-    Width, around_rays, draw,
+    View, Width, around_rays, draw,
 };
 use crate::lesson::own_figure::{has_frame, view};
+use crate::page::View as PixelView;
 use crate::scene::PrimitiveId;
 use crate::step::{Level, StepLog};
 use crate::structure::VolumeKind;
@@ -31,6 +32,16 @@ pub struct StepFigure {
     pub spec: FigureSpec,
     /// The drawing up to the step.
     pub drawn: Drawn,
+}
+
+fn title_of(kind: FigureKind) -> &'static str {
+    match kind {
+        FigureKind::Grid => "Grid",
+        FigureKind::Hierarchy => "Hierarchy",
+        FigureKind::Heap => "Heap",
+        FigureKind::Alignment => "Ray along the z axis",
+        _ => "Paths of light",
+    }
 }
 
 impl StepFigures {
@@ -79,11 +90,43 @@ impl StepFigures {
         ))
     }
 
+    /// What a page shows of a pixel, each as a whole: its rays from the side from where they are longest and in space, and the
+    /// search of the strategy or the paths of light. What cannot be drawn is left out.
+    pub fn views(&self, log: &StepLog) -> Vec<PixelView> {
+        let pixel = log.sections().last();
+        let Some(lead) = pixel.map(|pixel| &log.records[log.step(pixel).lead]) else {
+            return Vec::new();
+        };
+        let search = usual(log.settings.strategy).or_else(|| {
+            let has_paths = log.records.iter().any(|record| record.path.is_some());
+            has_paths.then_some(FigureKind::Paths)
+        });
+        let wanted = [
+            Some((FigureKind::Rays, None, "Rays")),
+            Some((FigureKind::Rays, Some(View::Axonometric), "Rays in space")),
+            search.map(|kind| (kind, None, title_of(kind))),
+        ];
+        let draw_view =
+            |(place, (kind, from, title)): (usize, (FigureKind, Option<View>, &str))| {
+                let mut spec = self.spec(log, kind, lead);
+                spec.view = from.unwrap_or(spec.view);
+                let id = format!("raystep-view-{place}");
+                let drawn = draw(&spec, &self.traced, &id, Width::Book, Rendition::default());
+                Some(PixelView {
+                    title: title.to_owned(),
+                    svg: drawn.ok()?.svg,
+                    drawn: DrawnUpTo::new(kind, &self.traced[0]),
+                })
+            };
+        let wanted = wanted.into_iter().flatten().enumerate();
+        wanted.filter_map(draw_view).collect()
+    }
+
     /// What may show a step, what shows it best first: the innermost test or place, then those around it.
     fn specs(&self, log: &StepLog, step: usize) -> Vec<FigureSpec> {
         let mut specs: Vec<FigureSpec> = Vec::new();
         let with_above = std::iter::once(step).chain(log.above(step));
-        let shown = with_above.flat_map(|step| {
+        let shown = with_above.filter_map(|step| {
             let of = log.step(step);
             let lead = &log.records[of.lead];
             let is_wide = matches!(of.level, Level::Section | Level::Ray);

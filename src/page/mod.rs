@@ -4,17 +4,24 @@
 //! step + explain ─▶ steps    all that the steps of a pixel say, their questions, and the tables of their moves
 //!                     │
 //!                     ├─ json      the data inside a page: every text stays text
-//!                     └─ stepper   the stepper of a book: the figure, and the list of its steps
+//!                     ├─ stepper   the stepper of a book: the figure, and the list of its steps
+//!                     ├─ packed    all steps of a pixel with their moves, for a page that holds many
+//!                     └─ inspect   one page of a picture and its pixels
 //!
 //! core.js, core.css         what the pages share: a step's words, and its question
 //! stepper.js, stepper.css   the stepper of a book
+//! inspect.js, inspect.css   the page of a picture
 //! ```
 //!
 //! The words, the questions and the moves come from `step`. The scripts look them up and show them; they compute none.
 
+mod inspect;
 mod json;
+mod packed;
 mod stepper;
 mod steps;
 
+pub use inspect::{HeatOverlay, InspectPage, PageTooLarge};
+pub use packed::{PackedPixel, View};
 pub use stepper::{Stepper, shared, stepper};
 pub use steps::{LineFace, MovesFace, PixelSteps, QuestionFace, StepFace};

@@ -65,9 +65,11 @@ class Stepper {
     return this.predicts && this.steps[place].question !== undefined && !this.seen.has(place);
   }
 
+  // While questions are asked, no verdict is told that lies behind the step.
   name(place) {
-    const { sign, title, subject } = this.steps[place];
-    return this.asks(place) ? `? ${subject}` : `${sign} ${title}`;
+    const { sign, title, subject, question } = this.steps[place];
+    const isTold = !this.predicts || place < this.here || (place === this.here && !this.asks(place));
+    return isTold ? `${sign} ${title}` : `${question === undefined ? "·" : "?"} ${subject}`;
   }
 
   go(place) {
@@ -81,7 +83,7 @@ class Stepper {
   show(choice) {
     const step = this.steps[this.here];
     const asks = this.asks(this.here);
-    const [before, after] = step.drawn;
+    const [before, after] = step.drawn[0];
     for (const group of this.groups) {
       group.toggleAttribute("data-later", Number(group.dataset.step) > (asks ? before : after));
     }

@@ -4,7 +4,7 @@ use serde::Serialize;
 
 use crate::explain::{Line, Tone};
 use crate::figure::{DrawnUpTo, Far};
-use crate::step::{Became, LETTERS, Question, StepLog, StepWords, subject};
+use crate::step::{Became, LETTERS, Level, Moves, Question, StepLog, StepWords, subject};
 
 /// The steps of a pixel, with the tables of their moves. A step is named by its place in the list.
 #[derive(Clone, Debug, Serialize)]
@@ -37,11 +37,11 @@ pub struct StepFace {
     /// What it asks before its verdict is shown.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub question: Option<QuestionFace>,
-    /// The last step of the drawing that is shown before this step and after it. −1: only what is there from the first.
-    pub drawn: [i64; 2],
-    /// Where the moves lead from it.
-    #[serde(flatten)]
-    pub moves: MovesFace,
+    /// Of each drawing the last step that is shown before this step and after it. −1: only what is there from the first.
+    pub drawn: Vec<[i64; 2]>,
+    /// Where the moves lead from it; absent where there is one walk alone.
+    #[serde(flatten, skip_serializing_if = "Option::is_none")]
+    pub moves: Option<MovesFace>,
 }
 
 /// A line of a step.
@@ -72,16 +72,21 @@ pub struct QuestionFace {
 }
 
 /// Where the moves lead from a step, by the places of the steps. A move that is absent leads nowhere.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct MovesFace {
+    /// Its events: the place of the first, and the place behind the last.
+    pub events: [usize; 2],
+    /// The steps that it holds: the first, and the one behind the last.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub children: Option<[usize; 2]>,
     /// The walk of its siblings.
     pub grain: usize,
-    /// The first step that it holds.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub into: Option<usize>,
     /// The step that holds it.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub out: Option<usize>,
+    /// The first step that it holds.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub into: Option<usize>,
     /// The next event.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub leaf: Option<usize>,
@@ -94,12 +99,11 @@ pub struct MovesFace {
     /// The target before.
     #[serde(rename = "targetBack", skip_serializing_if = "Option::is_none")]
     pub target_back: Option<usize>,
-    /// The section around it.
+    /// Of each level the step and its walk.
+    pub levels: [[usize; 2]; Level::ALL.len()],
+    /// The step that set the value that this one looks at, and what is said of it.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub section: Option<usize>,
-    /// The innermost ray around it.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub ray: Option<usize>,
+    pub who: Option<(usize, String)>,
 }
 
 /// How far a drawing goes as a number that the script compares with `data-step`.
@@ -114,9 +118,8 @@ fn as_number(far: Far) -> i64 {
 impl PixelSteps {
     /// Some steps of a log, which follow each other: the steps of a book. There is one walk, and no move leaves it.
     pub fn of_walk(log: &StepLog, walk: &[usize], drawn: &DrawnUpTo) -> Self {
-        let words = StepWords::new(log);
-        let moves = MovesFace::default();
-        let face = |&step: &usize| StepFace::of(log, &words, step, drawn, moves);
+        let words = StepWords::of_all(log);
+        let face = |&step: &usize| StepFace::of(log, &words, step, &[drawn]);
         Self {
             steps: walk.iter().map(face).collect(),
             walks: vec![(0..walk.len()).collect()],
@@ -124,18 +127,92 @@ impl PixelSteps {
     }
 }
 
+/// The moves of a log, with the steps of each walk in the order of their events.
+pub(super) struct Grains<'a> {
+    moves: &'a Moves,
+    /// Of each walk the places of the first events.
+    starts: Vec<Vec<usize>>,
+}
+
+impl<'a> Grains<'a> {
+    pub(super) fn new(log: &StepLog, moves: &'a Moves) -> Self {
+        let start = |&step: &usize| log.step(step).events.start;
+        let walks = moves.walks.iter();
+        let starts = walks.map(|walk| walk.iter().map(start).collect());
+        Self {
+            starts: starts.collect(),
+            moves,
+        }
+    }
+
+    /// The step of a walk that holds an event.
+    fn holding(&self, walk: usize, event: usize) -> usize {
+        let behind = self.starts[walk].partition_point(|start| *start <= event);
+        self.moves.walks[walk][behind.saturating_sub(1)]
+    }
+
+    fn from(&self, log: &StepLog, number: usize) -> MovesFace {
+        let step = log.step(number);
+        let from = &self.moves.from[number];
+        let with_grain = |step: usize| [step, self.moves.from[step].grain];
+        let levels = std::array::from_fn(|level| {
+            let around = match Level::ALL[level] {
+                Level::Section => from.section,
+                Level::Ray => from.ray,
+                Level::Place | Level::Test | Level::Term => None,
+            };
+            around.map_or_else(
+                || {
+                    let walk = self.moves.levels[level];
+                    [self.holding(walk, step.events.start), walk]
+                },
+                with_grain,
+            )
+        });
+        let children = &step.children;
+        let who = log.who_set(number, None).map(|setter| {
+            let text = setter.text(log);
+            (log.landing(setter.event), text)
+        });
+        MovesFace {
+            events: [step.events.start, step.events.end],
+            children: (!children.is_empty()).then_some([children.start, children.end]),
+            grain: from.grain,
+            out: from.out,
+            into: from.into,
+            leaf: from.next_leaf,
+            leaf_back: from.previous_leaf,
+            target: from.next_target,
+            target_back: from.previous_target,
+            levels,
+            who,
+        }
+    }
+}
+
 impl StepFace {
-    fn of(
+    /// A step with its moves.
+    pub(super) fn with_moves(
         log: &StepLog,
         words: &StepWords,
         number: usize,
-        drawn: &DrawnUpTo,
-        moves: MovesFace,
+        drawn: &[&DrawnUpTo],
+        grains: &Grains,
     ) -> Self {
+        Self {
+            moves: Some(grains.from(log, number)),
+            ..Self::of(log, words, number, drawn)
+        }
+    }
+
+    fn of(log: &StepLog, words: &StepWords, number: usize, drawn: &[&DrawnUpTo]) -> Self {
         let step = log.step(number);
         let told = log.told(words, number);
         let before = step.events.start.checked_sub(1);
-        let drawn_at = |event: usize| as_number(drawn.after(&log.records[event]));
+        let of_drawing = |drawing: &&DrawnUpTo| {
+            let at = |event: usize| as_number(drawing.after(&log.records[event]));
+            [before.map_or(-1, at), at(step.events.end - 1)]
+        };
         Self {
             at: log.address(number).to_string(),
             level: step.level.name(),
@@ -146,8 +223,8 @@ impl StepFace {
             title: told.title,
             lines: told.lines.into_iter().map(LineFace::from).collect(),
             question: log.question(number).as_ref().map(QuestionFace::of),
-            drawn: [before.map_or(-1, drawn_at), drawn_at(step.events.end - 1)],
-            moves,
+            drawn: drawn.iter().map(of_drawing).collect(),
+            moves: None,
         }
     }
 }

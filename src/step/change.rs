@@ -8,6 +8,7 @@ use crate::scene::Scene;
 use crate::step::quantity::{Held, Quantity, Value};
 use crate::step::state::State;
 use crate::step::tree::StepLog;
+use crate::trace::Record;
 
 /// Significant digits, as in the worked solution.
 const DIGITS: u32 = 6;
@@ -41,6 +42,20 @@ impl StepLog<'_> {
             &self.state_before(events.start),
             &self.state_before(events.end),
         )
+    }
+}
+
+impl StepLog<'_> {
+    /// What each event changed, in one pass: as [`StepLog::changes`] of its leaf.
+    pub fn changes_by_event(&self) -> Vec<Vec<Change>> {
+        let mut state = self.state_before(0);
+        let of_event = |(at, record): (usize, &Record)| {
+            let before = state.clone();
+            state.enter(record);
+            state.take(at, record);
+            changes(&before, &state)
+        };
+        self.records.iter().enumerate().map(of_event).collect()
     }
 }
 

@@ -1,6 +1,7 @@
 //! Which step set a value?
 
 use crate::scene::PrimitiveId;
+use crate::step::address::Address;
 use crate::step::quantity::{Held, Quantity, Value};
 use crate::step::tree::StepLog;
 use crate::trace::{BoundVerdict, Event, RayVerdict, WalkEnd};
@@ -68,6 +69,18 @@ pub struct Setter {
     pub value: Value,
     /// The event that set it.
     pub event: usize,
+}
+
+impl Setter {
+    /// What is said of it: `nearest hit: A at t = 7.92, set by step 3`.
+    pub fn text(&self, log: &StepLog) -> String {
+        format!(
+            "{}: {}, set by step {}",
+            self.quantity.name(log.scene),
+            self.value.text(log.scene),
+            Address::of(log, self.event)
+        )
+    }
 }
 
 impl StepLog<'_> {

@@ -1,5 +1,6 @@
 //! The words of a step: the lines of the worked solution that tell it.
 
+use std::collections::BTreeSet;
 use std::ops::Range;
 
 use crate::explain::{Line, Section, StepAddress, Tone, WorkedSteps};
@@ -11,13 +12,39 @@ use crate::trace::Kind;
 #[derive(Debug)]
 pub struct StepWords<'a> {
     solution: WorkedSteps<'a>,
+    /// All lines, if they were written in advance.
+    written: Option<Written>,
+}
+
+/// A line with the places of its events; a heading has none.
+type Placed = (Line, Option<Range<usize>>);
+
+/// All lines of a log, to be looked up by events.
+#[derive(Debug)]
+struct Written {
+    lines: Vec<Placed>,
+    /// Of each event the lines about it and few others.
+    of_event: Vec<Vec<usize>>,
+    /// The lines about many events.
+    long: Vec<usize>,
 }
 
 impl<'a> StepWords<'a> {
-    /// The words of a log.
+    /// The words of a log, found step by step.
     pub fn new(log: &StepLog<'a>) -> Self {
         Self {
             solution: WorkedSteps::new(log.scene, log.settings, log.records),
+            written: None,
+        }
+    }
+
+    /// The words of a log of which all steps are asked for: they are written in advance, in one go.
+    pub fn of_all(log: &StepLog<'a>) -> Self {
+        let found = Self::new(log);
+        let lines = placed(log, found.solution.all_lines().lines);
+        Self {
+            written: Some(Written::new(lines, log.records.len())),
+            ..found
         }
     }
 
@@ -32,28 +59,26 @@ impl<'a> StepWords<'a> {
             return Vec::new();
         }
         let wanted: Vec<Range<usize>> = own.iter().map(|own| with_neighbours(log, own)).collect();
-        let page = self.solution.lines(&wanted);
+        let lines = match &self.written {
+            Some(written) => written.about(&wanted),
+            None => placed(log, self.solution.lines(&wanted).lines),
+        };
         let step = &log.step(number).events;
-        let places: Vec<Option<Range<usize>>> = page
-            .lines
-            .iter()
-            .map(|line| {
-                let steps = line.steps?;
-                Some(place(log, steps.first)?..place(log, steps.last)? + 1)
-            })
-            .collect();
         let meets = |line: &Range<usize>| {
             let overlap = |own: &Range<usize>| line.start < own.end && own.start < line.end;
             own.iter().any(overlap)
         };
         let within =
             |line: &Range<usize>| step.start <= line.start && line.end <= step.end && meets(line);
-        let has_words = places.iter().flatten().any(within);
+        let has_words = lines
+            .iter()
+            .filter_map(|(_, place)| place.as_ref())
+            .any(within);
         let tells = |line: &Range<usize>| if has_words { within(line) } else { meets(line) };
 
         let mut told = Vec::new();
         let mut headings = Vec::new();
-        for (line, place) in page.lines.into_iter().zip(places) {
+        for (line, place) in lines {
             match place {
                 None if line.tone == Tone::Heading => headings.push(line),
                 None => {}
@@ -73,6 +98,68 @@ impl<'a> StepWords<'a> {
         }
         told
     }
+}
+
+impl Written {
+    /// A line about more events is no line of one of them.
+    const MANY: usize = 64;
+
+    fn new(lines: Vec<Placed>, events: usize) -> Self {
+        let mut of_event = vec![Vec::new(); events];
+        let mut long = Vec::new();
+        for (number, (_, place)) in lines.iter().enumerate() {
+            match place {
+                Some(place) if place.len() <= Self::MANY => {
+                    for event in place.clone() {
+                        of_event[event].push(number);
+                    }
+                }
+                Some(_) => long.push(number),
+                None => {}
+            }
+        }
+        Self {
+            lines,
+            of_event,
+            long,
+        }
+    }
+
+    /// The lines about some events, each with the headings right above it.
+    fn about(&self, wanted: &[Range<usize>]) -> Vec<Placed> {
+        let of_few = wanted.iter().cloned().flatten();
+        let mut numbers: BTreeSet<usize> = of_few
+            .flat_map(|event| &self.of_event[event])
+            .copied()
+            .collect();
+        let is_wanted = |number: &&usize| {
+            let place = self.lines[**number].1.as_ref();
+            place.is_some_and(|place| {
+                wanted
+                    .iter()
+                    .any(|of| place.start < of.end && of.start < place.end)
+            })
+        };
+        numbers.extend(self.long.iter().filter(is_wanted));
+        let mut found = Vec::new();
+        for number in numbers {
+            let above = self.lines[..number].iter().rev();
+            let headings = above.take_while(|(_, place)| place.is_none()).count();
+            found.extend_from_slice(&self.lines[number - headings..=number]);
+        }
+        found
+    }
+}
+
+/// The lines with the places of their events.
+fn placed(log: &StepLog, lines: Vec<Line>) -> Vec<Placed> {
+    let with_place = |line: Line| {
+        let places = line
+            .steps
+            .and_then(|steps| Some(place(log, steps.first)?..place(log, steps.last)? + 1));
+        (line, places)
+    };
+    lines.into_iter().map(with_place).collect()
 }
 
 /// The events that tell a step.

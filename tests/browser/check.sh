@@ -25,5 +25,13 @@ fi
 cargo build --quiet --locked --profile test --bin raystep --example browser_book "$@"
 rm -rf "$target/book"
 target/debug/examples/browser_book target/debug/raystep "$target/book"
-export CHROMIUM BOOK=$target/book BROWSER_PACKAGES=$target
+rm -rf "$target/pages"
+mkdir "$target/pages"
+raystep() { target/debug/raystep --quiet "$@"; }
+lessons=tests/browser/book/lessons
+raystep inspect $lessons/01-ball/ball.json --region 3,4-4,5 -o "$target/pages/ball.html"
+raystep inspect $lessons/02-names/names.json 4,4 -o "$target/pages/names.html"
+raystep trace lessons/08-transport/powered.json --transport hybrid-connected --region 30,16 -o "$target/pages/light.jsonl"
+raystep inspect "$target/pages/light.jsonl" 30,16 -o "$target/pages/light.html"
+export CHROMIUM BOOK=$target/book PAGES=$target/pages BROWSER_PACKAGES=$target
 node --test tests/browser/

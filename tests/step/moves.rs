@@ -77,3 +77,20 @@ fn the_tables_lead_where_the_cursor_goes() {
     each_random(&mut check);
     assert!(40_000 < compared, "{compared} moves");
 }
+
+#[test]
+fn what_each_event_changed_is_what_its_leaf_changed() {
+    let mut compared = 0;
+    let mut check = |name: &str, log: &StepLog| {
+        let changes = log.changes_by_event();
+        assert_eq!(changes.len(), log.records.len(), "{name}");
+        let every = (changes.len() / 60).max(1);
+        for (event, changed) in changes.iter().enumerate().step_by(every) {
+            assert_eq!(*changed, log.changes(log.leaf(event)), "{name}: {event}");
+            compared += changed.len();
+        }
+    };
+    each_of_few(&mut check);
+    each_random(&mut check);
+    assert!(3000 < compared, "{compared} changes");
+}

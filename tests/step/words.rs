@@ -152,3 +152,18 @@ fn every_step_has_a_title_of_one_line() {
         }
     });
 }
+
+#[test]
+fn words_that_are_written_in_advance_are_those_that_are_found_step_by_step() {
+    let mut compared = 0;
+    each_of_few(|name, log| {
+        let [found, in_advance] = [StepWords::new(log), StepWords::of_all(log)];
+        for step in (0..log.steps().len()).step_by((log.steps().len() / 40).max(1)) {
+            let title = headline(log, step);
+            let [found, in_advance] = [&found, &in_advance].map(|words| words.of(log, step));
+            assert_eq!(in_advance, found, "{name}: {title}");
+            compared += found.len();
+        }
+    });
+    assert!(10_000 < compared, "{compared} lines");
+}

@@ -2,11 +2,11 @@
 
 use std::path::Path;
 
-use clap::parser::ValueSource;
-use clap::{ArgMatches, CommandFactory};
+use clap::ArgMatches;
 use raystep::StrategyName;
 
-use crate::cli::args::{Args, StepArgs};
+use crate::cli::args::StepArgs;
+use crate::cli::typed::{options, quoted};
 use crate::cli::word::word;
 
 /// The options that the command is made of anew.
@@ -30,28 +30,7 @@ impl Words {
         pixel: [u32; 2],
         strategy: Option<StrategyName>,
     ) -> Self {
-        let command = Args::command();
-        let known = command.find_subcommand("step");
-        let given = matches.subcommand_matches("step");
-        let mut options = Vec::new();
-        if let (Some(known), Some(given)) = (known, given) {
-            for option in known.get_arguments() {
-                let id = option.get_id().as_str();
-                let (Some(long), false) = (option.get_long(), OWN.contains(&id)) else {
-                    continue;
-                };
-                let typed = given.try_contains_id(id).is_ok()
-                    && given.value_source(id) == Some(ValueSource::CommandLine);
-                if !typed {
-                    continue;
-                }
-                options.push(format!("--{long}"));
-                if option.get_action().takes_values() && !option.is_require_equals_set() {
-                    let values = given.get_raw(id).into_iter().flatten();
-                    options.extend(values.map(|value| value.to_string_lossy().into_owned()));
-                }
-            }
-        }
+        let options = options(matches, ["step", "step"], &OWN);
         Self {
             scene: args.scene.to_string_lossy().into_owned(),
             pixel,
@@ -101,27 +80,5 @@ impl Words {
         words.extend(["--at".into(), at.into()]);
         let quoted: Vec<String> = words.iter().map(|word| quoted(word)).collect();
         quoted.join(" ")
-    }
-}
-
-/// A word as a shell takes it, in quotation marks where it needs some.
-fn quoted(word: &str) -> String {
-    let is_plain = |c: char| c.is_ascii_alphanumeric() || "-_./,:=+@%".contains(c);
-    if !word.is_empty() && word.chars().all(is_plain) {
-        return word.into();
-    }
-    format!("'{}'", word.replace('\'', "'\\''"))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_word_is_quoted_where_a_shell_would_take_it_for_something_else() {
-        assert_eq!(quoted("scenes/a-1.json"), "scenes/a-1.json");
-        assert_eq!(quoted("#path17:37"), "'#path17:37'");
-        assert_eq!(quoted("it's"), "'it'\\''s'");
-        assert_eq!(quoted(""), "''");
     }
 }

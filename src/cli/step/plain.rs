@@ -198,14 +198,7 @@ impl<'a, 'l> Face<'a, 'l> {
         let Some(setter) = self.log.who_set(self.cursor.here, asked) else {
             return say("no step before this one has set it", out);
         };
-        let scene = self.log.scene;
-        let text = format!(
-            "{}: {}, set by step {}",
-            setter.quantity.name(scene),
-            setter.value.text(scene),
-            address_of(self.log, setter.event)
-        );
-        say(&text, out)?;
+        say(&setter.text(self.log), out)?;
         let there = Cursor::at(self.log, self.log.landing(setter.event));
         self.go(Some(there), "", out)
     }

@@ -1,6 +1,6 @@
 //! Structures that are built again from the scene in a log, where the log says too little of them.
 
-use std::cell::OnceCell;
+use std::sync::OnceLock;
 
 use crate::geometry::MOST_SLABS;
 use crate::structure::{BareGrid, Hierarchy};
@@ -9,7 +9,7 @@ use crate::structure::{BareGrid, Hierarchy};
 #[derive(Debug, Default)]
 pub(super) struct BuiltAgain {
     /// The hierarchy, where the log says too little of its bounds.
-    pub(super) hierarchy: OnceCell<Hierarchy<MOST_SLABS>>,
+    pub(super) hierarchy: OnceLock<Hierarchy<MOST_SLABS>>,
     /// The grid without room.
-    pub(super) grid: OnceCell<BareGrid>,
+    pub(super) grid: OnceLock<BareGrid>,
 }

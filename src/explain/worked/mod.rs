@@ -114,10 +114,21 @@ impl<'a> WorkedSteps<'a> {
     /// them.
     ///
     /// They are those of [`worked_solution`] with [`WorkedOptions::all`] and have the same steps, but for its title, and for
-    /// what it says once on a page: here that may stand at each of its places. An event without words of its own belongs to
+    /// what it says once on a page: here that stands at each of its places. An event without words of its own belongs to
     /// the step before it or after it, so `ranges` hold the neighbours of what is asked for.
     pub(crate) fn lines(&self, ranges: &[Range<usize>]) -> Page {
         let wanted = Wanted::new(ranges);
+        self.written(Some(wanted.clone()), |place| {
+            wanted.meets(Extent::at(place))
+        })
+    }
+
+    /// The same lines about all records, in one go: each is as [`WorkedSteps::lines`] has it.
+    pub(crate) fn all_lines(&self) -> Page {
+        self.written(None, |_| true)
+    }
+
+    fn written(&self, wanted: Option<Wanted>, is_shown: impl Fn(usize) -> bool) -> Page {
         let Self {
             scene,
             settings,
@@ -127,9 +138,8 @@ impl<'a> WorkedSteps<'a> {
             again,
         } = self;
         let context = Context::new(scene, settings, options, known, again, records);
-        let mut page = Pen::of_events(wanted.clone());
+        let mut page = Pen::of_events(wanted);
         Sections::of(records).write(&context, &mut page);
-        let is_shown = |place| wanted.meets(Extent::at(place));
         settle::settle(page.into_drafts(), records, 0..records.len(), is_shown)
     }
 }

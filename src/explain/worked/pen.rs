@@ -19,6 +19,8 @@ pub(super) struct Pen {
     next_part: Option<Part>,
     /// What is said once on a page.
     said: Vec<&'static str>,
+    /// Is it said at each of its places?
+    repeats: bool,
     /// The events whose lines are written; absent: all.
     wanted: Option<Wanted>,
 }
@@ -56,10 +58,12 @@ pub(super) struct Draft {
 }
 
 impl Pen {
-    /// A pen that writes only the lines about some events, and the headings above them.
-    pub(super) fn of_events(wanted: Wanted) -> Self {
+    /// A pen that writes only the lines about some events, and the headings above them; without any it writes all. What is said
+    /// once on a page is said at each of its places: a line is the same whatever is written beside it.
+    pub(super) fn of_events(wanted: Option<Wanted>) -> Self {
         Self {
-            wanted: Some(wanted),
+            repeats: true,
+            wanted,
             ..Self::default()
         }
     }
@@ -117,7 +121,7 @@ impl Pen {
 
     /// Says something once on a page, however often it holds: how the program computes what the text shows.
     pub(super) fn once(&mut self, part: Part, words: &'static str) {
-        if !self.said.contains(&words) {
+        if self.repeats || !self.said.contains(&words) {
             self.said.push(words);
             self.part(part).line(Tone::Aside, words);
         }

@@ -50,6 +50,16 @@ impl UpTo {
     }
 }
 
+/// The variables of all colours with their values on a dark page, as a style sheet has them.
+pub(crate) fn dark_colours() -> String {
+    dark(&Colour::ALL)
+}
+
+fn dark(colours: &[Colour]) -> String {
+    let rule = |colour: &Colour| format!("{}: {}", colour.variable(), hexadecimal(colour.dark()));
+    colours.iter().map(rule).collect::<Vec<_>>().join("; ")
+}
+
 /// A drawing.
 pub(in crate::figure) struct Canvas<'a> {
     id: &'a str,
@@ -108,11 +118,6 @@ impl Canvas<'_> {
     /// What gives the elements the page's colours.
     fn rules(&self) -> String {
         let id = self.id;
-        let dark = |colours: &[Colour]| {
-            let rule =
-                |colour: &Colour| format!("{}: {}", colour.variable(), hexadecimal(colour.dark()));
-            colours.iter().map(rule).collect::<Vec<_>>().join("; ")
-        };
         let rules = Colour::ALL.map(|colour| {
             let (name, variable) = (colour.name(), colour.variable());
             let plain = hexadecimal(colour.plain());
@@ -130,7 +135,7 @@ impl Canvas<'_> {
              @media (prefers-color-scheme: dark) {{ svg:root {{ {} }} }}",
             rules.join(" "),
             dark(&Colour::ACCENTS),
-            dark(&Colour::ALL),
+            dark_colours(),
         )
     }
 
