@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 
 use raystep::explain::Part;
 use raystep::lesson::exercise::{
-    Attempt, Commands, Exercise, MOST_LINES, Outcome, See, Silent, exercises, message,
+    Attempt, CaseSaid, Commands, Exercise, MOST_LINES, Outcome, See, Silent, exercises, message,
 };
 use raystep::mistake::{mistake, mistakes};
 use raystep::{Chosen, Settings, StrategyName, Tracer, load, record_pixel};
@@ -51,6 +51,61 @@ fn there_are_at_least_32_and_each_lesson_has_one() {
     assert_eq!(ids.len(), all.len());
     let order: Vec<u8> = all.iter().map(|of| of.about().lesson).collect();
     assert!(order.is_sorted(), "{order:?}");
+}
+
+#[test]
+fn what_a_check_compares_belongs_to_the_parts_of_its_exercise_or_of_what_it_uses() {
+    for of in exercises() {
+        let about = of.about();
+        let compared = of.compared();
+        assert!(!compared.is_empty(), "{}", about.id());
+        for part in compared {
+            let is_told = about.parts.contains(&part) || about.uses.contains(&part);
+            assert!(is_told, "{}: {part}", about.id());
+        }
+    }
+}
+
+#[test]
+fn the_message_of_each_state_says_what_to_do_next() {
+    let all = exercises();
+    let of = all.iter().find(|of| of.about().name == "walk").unwrap();
+    let commands = Commands {
+        see: "SEE".into(),
+        hint: "HINT".into(),
+        file: "FILE".into(),
+        picture: None,
+    };
+    let lines = |outcome: &Outcome| message(of.about(), outcome, &commands);
+    let head = "l12_walk  lesson 12: the walk through the grid, to the nearest object";
+    let expected = [
+        format!("○ {head}: not written"),
+        "  write it: FILE".into(),
+        "  see it:   SEE".into(),
+        "  hint:     HINT".into(),
+    ];
+    assert_eq!(lines(&Outcome::NotWritten), expected);
+    let broken = Outcome::Broken {
+        what: "it panicked at 12-grid/exercise.rs:7:\n  index out of bounds".into(),
+        case: Some(CaseSaid {
+            number: 3,
+            note: "aslant".into(),
+            given: "o, Δ".into(),
+        }),
+        place: Some("cell (4, 0, 0)".into()),
+    };
+    let expected = [
+        format!("◐ {head}: broken"),
+        "  case 3: aslant".into(),
+        "    o, Δ".into(),
+        "  ✗ it panicked at 12-grid/exercise.rs:7: index out of bounds".into(),
+        "  last visited: cell (4, 0, 0)".into(),
+        "  see it:   SEE".into(),
+        "  hint:     HINT".into(),
+    ];
+    assert_eq!(lines(&broken), expected);
+    let right = lines(&Outcome::Right { cases: 40 });
+    assert!(right[1].contains(of.about().take_away) && right[2].contains(of.about().next));
 }
 
 #[test]
@@ -234,7 +289,7 @@ fn the_signature_stands_in_the_exercise_and_the_stub_is_the_solution_without_its
                 about.id(),
                 about.signature
             );
-            // the stub's head names the parts that the check compares
+            // the stub's head names the parts that the function works out
             let head: String = exercise
                 .lines()
                 .take_while(|line| line.starts_with("//!"))

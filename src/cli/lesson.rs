@@ -188,7 +188,7 @@ fn show(lesson: u8) -> Result<String, Error> {
         let parts: Vec<&str> = about.parts.iter().map(|part| Part::name(*part)).collect();
         let _ = writeln!(text, "\n{} {}: {}", mark(about), about.name, about.title);
         let _ = writeln!(text, "    {}", about.signature);
-        let _ = writeln!(text, "    compared: {}", parts.join("; "));
+        let _ = writeln!(text, "    parts:    {}", parts.join("; "));
         let _ = writeln!(text, "    check:    cargo test -p lessons {}", about.id());
     }
     Ok(text)

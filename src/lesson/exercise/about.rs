@@ -14,7 +14,8 @@ pub struct About {
     pub title: &'static str,
     /// The function that is to be written, in Rust.
     pub signature: &'static str,
-    /// The named parts that the check compares, in this order: what the exercise teaches.
+    /// The named parts that the function works out, in this order: what the exercise teaches. The check compares those of them
+    /// that the function returns.
     pub parts: &'static [Part],
     /// The named parts of earlier exercises that one needs.
     pub uses: &'static [Part],

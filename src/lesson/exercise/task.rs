@@ -4,6 +4,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use glam::DVec3;
 
+use crate::explain::Part;
 use crate::figure::{SketchForm, SketchMark, Whose, sketch};
 use crate::lesson::exercise::answer::{first_difference, is_same_answer, label};
 use crate::lesson::exercise::{
@@ -67,6 +68,9 @@ pub trait Exercise: Sync {
     /// What is told of it.
     fn about(&self) -> &About;
 
+    /// The parts of the quantities that are compared.
+    fn compared(&self) -> Vec<Part>;
+
     /// Checks the crate's own function.
     fn check_own(&self) -> Outcome;
 
@@ -105,6 +109,13 @@ impl<I, F: Copy> Attempt for OfStudent<I, F> {
 impl<I: Sync, F: Copy + Sync> Exercise for Task<I, F> {
     fn about(&self) -> &About {
         &self.about
+    }
+
+    fn compared(&self) -> Vec<Part> {
+        let cases = (self.cases)();
+        let first = cases.first().map(|case| self.expected(&case.input));
+        let quantities = first.into_iter().flatten();
+        quantities.map(|(part, _, _)| part).collect()
     }
 
     fn check_own(&self) -> Outcome {
