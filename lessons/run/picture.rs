@@ -140,6 +140,9 @@ fn show(file: &Path, drawn: &Picture, reference: &Picture, name: &str) -> Result
         width * height,
         files::typed(file)
     ));
+    if off == 0 && name != "yours" {
+        say("This scene does not show it: it needs a special case, which its exercise has.");
+    }
     Ok(())
 }
 
