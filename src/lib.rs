@@ -23,7 +23,7 @@
 //! 12. [`lesson`]: the course's data, the traces that its figures are drawn from, and its exercises.
 //!
 //! These are the core: no file system, no clock, no threads but by the feature `threads`. Above it are `files` (the file
-//! system), `book` (the preprocessor for mdBook) and the command `raystep` (feature `cli`). What most programs need is at
+//! system), `book` (the preprocessor for mdBook), `tui` (the stepper in a terminal) and the command `raystep` (feature `cli`). What most programs need is at
 //! the root; all else is in the module of its layer, and nothing is in both.
 //!
 //! Equations and figures are numbered as in the course's slides, after Foley, van Dam, Feiner and Hughes,
@@ -83,6 +83,8 @@ pub mod strategy;
 pub mod structure;
 pub mod trace;
 pub mod tracer;
+#[cfg(feature = "tui")]
+pub mod tui;
 
 #[cfg(feature = "book")]
 pub use book::preprocessor::preprocess;

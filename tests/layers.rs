@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 use imports::{Modules, circle, program};
 
 /// From pure mathematics to the command line.
-const LAYERS: [&str; 16] = [
+const LAYERS: [&str; 17] = [
     "parallel",
     "geometry",
     "scene",
@@ -26,6 +26,7 @@ const LAYERS: [&str; 16] = [
     "lesson",
     "files",
     "book",
+    "tui",
     "cli",
 ];
 
@@ -46,7 +47,7 @@ const CORE: [&str; 12] = [
 ];
 
 /// Every crate that a layer may name, and which layers may; the command line may name any.
-const CRATES_OF: [(&str, &[&str]); 21] = [
+const CRATES_OF: [(&str, &[&str]); 22] = [
     ("anstyle", &["explain"]),
     ("base64", &["trace", "figure", "page"]),
     ("flate2", &["page"]),
@@ -85,6 +86,7 @@ const CRATES_OF: [(&str, &[&str]); 21] = [
     ("png", &["trace"]),
     ("pulldown_cmark", &["book"]),
     ("rand", &["tracer"]),
+    ("ratatui", &["tui"]),
     ("rayon", &["parallel"]),
     ("robust", &["geometry"]),
     (
@@ -117,7 +119,7 @@ const CRATES_OF: [(&str, &[&str]); 21] = [
 ];
 
 /// The crates of others.
-const CRATES: [&str; 28] = [
+const CRATES: [&str; 29] = [
     "anstream",
     "anstyle",
     "base64",
@@ -134,6 +136,7 @@ const CRATES: [&str; 28] = [
     "png",
     "pulldown_cmark",
     "rand",
+    "ratatui",
     "rayon",
     "resvg",
     "robust",

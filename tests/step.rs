@@ -20,7 +20,7 @@ use crate::seeded::Seeded;
 use crate::strategies::random_scene;
 use crate::worked_solution::ranges::{all_settings, scenes, traced};
 
-const STRATEGIES: [StrategyName; 6] = [
+pub(crate) const STRATEGIES: [StrategyName; 6] = [
     StrategyName::Exhaustive,
     StrategyName::Bounds,
     StrategyName::Hierarchy,
@@ -88,7 +88,7 @@ fn each_random(mut check: impl FnMut(&str, &StepLog)) -> usize {
 
 /// The logs of small scenes for which more work is done: one pixel of each lesson's scenes, with each strategy once, and each
 /// transport.
-fn each_of_few(mut check: impl FnMut(&str, &StepLog)) -> usize {
+pub(crate) fn each_of_few(mut check: impl FnMut(&str, &StepLog)) -> usize {
     let mut logs = 0;
     for (name, scene, pixels) in scenes() {
         let mut seen: Vec<(StrategyName, raystep::Transport)> = Vec::new();

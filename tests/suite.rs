@@ -31,6 +31,7 @@ mod step;
 mod strategies;
 mod trace_log;
 mod transports;
+mod tui;
 mod watertight;
 mod worked_solution;
 mod z_aligned;

@@ -1,10 +1,35 @@
 //! Signals that end the program: what it has not finished is removed first, and the shell learns which signal it was.
 
-/// Does this once when a signal ends the program, and ends it with 128 + the signal's number, as shells do: 130 for
-/// SIGINT (Ctrl-C), 143 for SIGTERM, 129 for SIGHUP. A signal that was ignored when the program started stays ignored,
-/// as SIGHUP under nohup.
-#[cfg(unix)]
+use std::sync::{Mutex, Once, PoisonError};
+
+/// What is done before a signal ends the program.
+type CleanUp = Box<dyn FnOnce() + Send>;
+
+/// All that is to be done then.
+static CLEAN_UPS: Mutex<Vec<CleanUp>> = Mutex::new(Vec::new());
+
+/// Does this once when a signal ends the program, after what was asked for before; then the program ends with 128 + the signal's
+/// number, as shells do: 130 for SIGINT (Ctrl-C), 143 for SIGTERM, 129 for SIGHUP. A signal that was ignored when the program started
+/// stays ignored, as SIGHUP under nohup.
 pub(crate) fn before_the_end(clean_up: impl FnOnce() + Send + 'static) {
+    static LISTENS: Once = Once::new();
+    clean_ups().push(Box::new(clean_up));
+    LISTENS.call_once(|| {
+        listen(|| {
+            let all = std::mem::take(&mut *clean_ups());
+            for clean_up in all {
+                clean_up();
+            }
+        });
+    });
+}
+
+fn clean_ups() -> std::sync::MutexGuard<'static, Vec<CleanUp>> {
+    CLEAN_UPS.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+#[cfg(unix)]
+fn listen(clean_up: impl FnOnce() + Send + 'static) {
     use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM};
     use signal_hook::iterator::Signals;
 
@@ -44,9 +69,9 @@ fn ignored_in(status: &str, signal: i32) -> bool {
     mask.is_some_and(|mask| (mask >> (signal - 1)) & 1 == 1)
 }
 
-/// Does this once when Ctrl-C ends the program, and ends it with 130, as a shell on Unix would.
+/// Where there is Ctrl-C alone, it ends the program with 130, as a shell on Unix would.
 #[cfg(not(unix))]
-pub(crate) fn before_the_end(clean_up: impl FnOnce() + Send + 'static) {
+fn listen(clean_up: impl FnOnce() + Send + 'static) {
     const INTERRUPTED: i32 = 130;
     let mut clean_up = Some(clean_up);
     // without a handler Ctrl-C ends the program all the same, and leaves its temporary file behind

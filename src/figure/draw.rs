@@ -6,6 +6,7 @@ use crate::figure::near::near;
 use crate::figure::parts::picture;
 use crate::figure::sheet::canvas::{Canvas, Rendition, UpTo};
 use crate::figure::sheet::stage::Stage;
+use crate::figure::sheet::strokes::Strokes;
 use crate::figure::sheet::{Sheet, Width};
 use crate::figure::spec::{FigureKind, FigureSpec, Layer};
 use crate::figure::subject::Figure;
@@ -46,43 +47,7 @@ pub fn draw(
     width: Width,
     rendition: Rendition,
 ) -> Result<Drawn, FigureError> {
-    let [first, ..] = traced else {
-        return Err(FigureError::of_log("the log of this figure is empty"));
-    };
-    is_whole(spec, traced)?;
-    let kind = kind(spec.kind);
-    let layers = || kind.usual.iter().chain(kind.more).chain([&Layer::Image]);
-    if let Some(layer) = spec.show.iter().find(|of| !layers().any(|has| has == *of)) {
-        let has: Vec<String> = layers().map(|of| of.name()).collect();
-        return Err(FigureError::new(
-            "show",
-            format!("this kind of figure has nothing called {}", layer.name()),
-            format!("choose among {}", has.join(", ")),
-        ));
-    }
-    let figure = Figure {
-        spec,
-        near: near(&first.scene, &first.records),
-        traced,
-        usual: kind.usual,
-        scene: &first.scene,
-        first,
-    };
-    let mut sheet = Sheet::new(width, kind.height);
-    let mut body = sheet.body();
-    if rendition.titled {
-        body = sheet.heading(body, &figure.title());
-    }
-    let beside = spec
-        .show
-        .contains(&Layer::Image)
-        .then(|| picture::room_beside(&sheet, body));
-    let body = beside.map_or(body, |[left, _]| left);
-    let description = (kind.draw)(&figure, &mut sheet, body)?;
-    if let Some([_, right]) = beside {
-        // the picture tells what becomes of the pixel
-        sheet.at_last(|sheet| picture::beside(&figure, sheet, right))?;
-    }
+    let (figure, sheet, description) = laid_out(spec, traced, width, rendition.titled)?;
     let marks = sheet.marks.iter().map(|mark| mark.since.step);
     let words = sheet.words.iter().map(|of| of.since.step);
     let labels = sheet.labels.iter().map(|of| of.since.step);
@@ -122,6 +87,62 @@ pub fn draw(
         steps,
         stages,
     })
+}
+
+/// The same drawing as lines, points and words, for a face that draws by itself.
+///
+/// # Errors
+/// A specification that asks for what the trace or the kind of figure does not have.
+pub fn strokes(spec: &FigureSpec, traced: &[Traced]) -> Result<Strokes, FigureError> {
+    let (_, sheet, _) = laid_out(spec, traced, Width::Book, false)?;
+    Ok(Strokes::of(sheet))
+}
+
+/// The sheet with all marks and words on it, and what it shows in words.
+fn laid_out<'a>(
+    spec: &'a FigureSpec,
+    traced: &'a [Traced],
+    width: Width,
+    titled: bool,
+) -> Result<(Figure<'a>, Sheet, String), FigureError> {
+    let [first, ..] = traced else {
+        return Err(FigureError::of_log("the log of this figure is empty"));
+    };
+    is_whole(spec, traced)?;
+    let kind = kind(spec.kind);
+    let layers = || kind.usual.iter().chain(kind.more).chain([&Layer::Image]);
+    if let Some(layer) = spec.show.iter().find(|of| !layers().any(|has| has == *of)) {
+        let has: Vec<String> = layers().map(|of| of.name()).collect();
+        return Err(FigureError::new(
+            "show",
+            format!("this kind of figure has nothing called {}", layer.name()),
+            format!("choose among {}", has.join(", ")),
+        ));
+    }
+    let figure = Figure {
+        spec,
+        near: near(&first.scene, &first.records),
+        traced,
+        usual: kind.usual,
+        scene: &first.scene,
+        first,
+    };
+    let mut sheet = Sheet::new(width, kind.height);
+    let mut body = sheet.body();
+    if titled {
+        body = sheet.heading(body, &figure.title());
+    }
+    let beside = spec
+        .show
+        .contains(&Layer::Image)
+        .then(|| picture::room_beside(&sheet, body));
+    let body = beside.map_or(body, |[left, _]| left);
+    let description = (kind.draw)(&figure, &mut sheet, body)?;
+    if let Some([_, right]) = beside {
+        // the picture tells what becomes of the pixel
+        sheet.at_last(|sheet| picture::beside(&figure, sheet, right))?;
+    }
+    Ok((figure, sheet, description))
 }
 
 impl DrawnStage {

@@ -22,7 +22,7 @@ pub(crate) mod traced;
 mod view;
 
 pub use cost_chart::cost_chart;
-pub use draw::{Drawn, DrawnStage, draw};
+pub use draw::{Drawn, DrawnStage, draw, strokes};
 pub use drawn_up_to::{DrawnUpTo, Far};
 pub use error::FigureError;
 pub use heat_map::{Raster, heat_map, heat_overlay, heat_scale};
@@ -32,6 +32,8 @@ pub(crate) use sheet::canvas::Rendition;
 pub use sheet::canvas::UpTo;
 pub(crate) use sheet::canvas::dark_colours;
 pub use sheet::font::text_width;
+pub use sheet::look::Colour;
+pub use sheet::strokes::{Stroke, StrokeForm, StrokeWords, Strokes};
 pub use sketch::{SketchForm, SketchMark, Whose, sketch};
 pub(crate) use spec::FigureSpec;
 pub use spec::{DroppedAxis, FigureKind, Fineness, Layer};

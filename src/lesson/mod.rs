@@ -11,6 +11,7 @@ mod picture;
 #[cfg(feature = "files")]
 mod start;
 mod step_figure;
+mod thumbnail;
 mod trace;
 
 pub use compare::{compare, scan_lines_to_compare};
@@ -27,5 +28,6 @@ pub(crate) use library::Library;
 pub use own_figure::{own_figure, wrong_figure};
 #[cfg(feature = "files")]
 pub use start::{Dependency, course_files};
-pub use step_figure::{StepFigure, StepFigures};
+pub use step_figure::{StepFigure, StepFigures, StepStrokes};
+pub use thumbnail::{Thumbnail, thumbnail};
 pub use trace::trace_figure;

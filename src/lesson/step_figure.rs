@@ -4,8 +4,8 @@ use glam::DVec3;
 
 use crate::explain::Section;
 use crate::figure::{
-    Drawn, DrawnUpTo, Far, FigureError, FigureKind, FigureSpec, Layer, Rendition, Traced, UpTo,
-    View, Width, around_rays, draw,
+    Drawn, DrawnUpTo, Far, FigureError, FigureKind, FigureSpec, Layer, Rendition, Strokes, Traced,
+    UpTo, View, Width, around_rays, draw, strokes,
 };
 use crate::lesson::own_figure::{has_frame, view};
 use crate::page::View as PixelView;
@@ -32,6 +32,17 @@ pub struct StepFigure {
     pub spec: FigureSpec,
     /// The drawing up to the step.
     pub drawn: Drawn,
+}
+
+/// A figure of a step as lines, points and words.
+#[derive(Clone, Debug)]
+pub struct StepStrokes {
+    /// What kind it is.
+    pub kind: FigureKind,
+    /// The drawing, whole.
+    pub strokes: Strokes,
+    /// What may show the step, what shows it best first.
+    asked: Vec<FigureSpec>,
 }
 
 fn title_of(kind: FigureKind) -> &'static str {
@@ -82,12 +93,38 @@ impl StepFigures {
                 Err(error) => first = first.or(Some(error)),
             }
         }
-        let why = first.map_or(String::new(), |error| format!(": {}", error.what));
-        Err(FigureError::new(
-            "kind",
-            format!("no figure shows this step{why}"),
-            "choose a ray, a place or a test",
-        ))
+        Err(none(first))
+    }
+
+    /// The same figure as lines, points and words, whole. `known` is the drawing of another step: if this one's is the same, it
+    /// is given back.
+    ///
+    /// # Errors
+    /// No kind of figure shows this step.
+    pub fn strokes(
+        &self,
+        log: &StepLog,
+        step: usize,
+        known: Option<StepStrokes>,
+    ) -> Result<StepStrokes, FigureError> {
+        let asked = self.specs(log, step);
+        if let Some(known) = known.filter(|known| known.asked == asked) {
+            return Ok(known);
+        }
+        let mut first = None;
+        for spec in &asked {
+            match strokes(spec, &self.traced) {
+                Ok(strokes) => {
+                    return Ok(StepStrokes {
+                        kind: spec.kind,
+                        asked,
+                        strokes,
+                    });
+                }
+                Err(error) => first = first.or(Some(error)),
+            }
+        }
+        Err(none(first))
     }
 
     /// What a page shows of a pixel, each as a whole: its rays from the side from where they are longest and in space, and the
@@ -188,13 +225,27 @@ impl StepFigures {
 
     /// Up to the last event of a step.
     fn up_to(&self, log: &StepLog, step: usize, kind: FigureKind) -> Option<UpTo> {
-        let last = &log.records[log.step(step).events.end - 1];
-        match DrawnUpTo::new(kind, &self.traced[0]).after(last) {
+        match self.far(log, log.step(step).events.end - 1, kind) {
             Far::Nothing => Some(UpTo::Step(0)),
             Far::Step(step) => Some(UpTo::Step(step)),
             Far::Whole => None,
         }
     }
+
+    /// How far a figure is drawn when an event has happened.
+    pub fn far(&self, log: &StepLog, event: usize, kind: FigureKind) -> Far {
+        DrawnUpTo::new(kind, &self.traced[0]).after(&log.records[event])
+    }
+}
+
+/// Nothing shows the step.
+fn none(why: Option<FigureError>) -> FigureError {
+    let why = why.map_or(String::new(), |error| format!(": {}", error.what));
+    FigureError::new(
+        "kind",
+        format!("no figure shows this step{why}"),
+        "choose a ray, a place or a test",
+    )
 }
 
 /// What shows a section or a ray.

@@ -45,4 +45,4 @@ mod wrong;
 
 pub use mistake::Mistake;
 pub use registry::{mistake, mistakes};
-pub use wrong::Wrong;
+pub use wrong::{WalkOfCells, Wrong};

@@ -14,6 +14,9 @@ use crate::trace::BoundVerdict;
 use crate::tracer::Surface;
 use crate::tracer::simple::{self, Own, Parts};
 
+/// From the box of a grid, its resolution, and a ray with its range: the cells that are visited.
+pub type WalkOfCells = fn(&AxisBox, [u32; 3], &Ray, TRange) -> Vec<[u32; 3]>;
+
 /// A wrong function, with the signature of the right one.
 ///
 /// It is a set of [`Parts`]: the simple ray tracer with this one function replaced. A function that no part of the simple
@@ -66,7 +69,7 @@ pub enum Wrong {
     NextPlane(fn(u32, f64) -> u32),
     /// From the box of the grid, how many cells it has along x, y and z, and the ray with its range: the cells that are visited,
     /// in their order. In place of [`GridWalk`](crate::structure::GridWalk).
-    CellsVisited(fn(&AxisBox, [u32; 3], &Ray, TRange) -> Vec<[u32; 3]>),
+    CellsVisited(WalkOfCells),
     /// From t of the nearest hit and t at which the ray leaves the cell: does the walk end? In place of the test of
     /// [`UniformGrid`](crate::strategy::UniformGrid).
     WalkEnds(fn(f64, f64) -> bool),

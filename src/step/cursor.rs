@@ -90,6 +90,18 @@ pub enum Move {
     Last,
 }
 
+impl Move {
+    /// What is said where the move leads nowhere.
+    pub const fn leads_nowhere(self) -> &'static str {
+        match self {
+            Self::Over | Self::NextLeaf | Self::Last => "this is the last step",
+            Self::Back | Self::PreviousLeaf | Self::First => "this is the first step",
+            Self::Into => "this is a single event: nothing is inside",
+            Self::Out => "nothing is around this step",
+        }
+    }
+}
+
 /// Where a reader stands.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Cursor {

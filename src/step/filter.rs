@@ -193,6 +193,26 @@ impl Filter {
     }
 }
 
+/// What is said of the targets that a filter names, or, without one, of those that are of interest by themselves.
+pub(in crate::step) fn told_of(
+    log: &StepLog,
+    filter: Option<&Filter>,
+    targets: &[usize],
+) -> Vec<String> {
+    let what = match filter {
+        Some(_) => "named by the filter",
+        None => "of interest",
+    };
+    let mut told = vec![match targets.len() {
+        1 => format!("1 step is {what}"),
+        many => format!("{many} steps are {what}"),
+    }];
+    if let Some(filter) = filter.filter(|_| targets.is_empty()) {
+        told.extend(filter.why_none(log));
+    }
+    told
+}
+
 /// The largest step that an event leads.
 fn led_by(log: &StepLog, event: usize) -> usize {
     let leaf = log.leaf(event);

@@ -91,6 +91,24 @@ pub struct Key {
     command: fn(&mut Words) -> Result<Command, CommandError>,
 }
 
+impl Key {
+    /// The words and the name of the key, each once, with what follows them: `over, down, ↓`, `g, go STEP`.
+    pub fn names(&self) -> String {
+        let mut names: Vec<&str> = Vec::new();
+        for name in self.words.iter().copied().chain([self.key]) {
+            if !names.contains(&name) {
+                names.push(name);
+            }
+        }
+        let argument = if self.argument.is_empty() {
+            String::new()
+        } else {
+            format!(" {}", self.argument)
+        };
+        format!("{}{argument}", names.join(", "))
+    }
+}
+
 /// A row of the table.
 macro_rules! key {
     ($key:literal, $words:expr, $does:literal, $command:expr) => {

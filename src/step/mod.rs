@@ -15,12 +15,14 @@
 //!                     │
 //!                     ├─ cursor    where one stands, and the moves: over, back, into, out, leaf, level
 //!                     ├─ interest, filter   the targets: by themselves, or what a reader asks for
+//!                     ├─ known   all that is known after a step
 //!                     ├─ change, who        what a step changed, old → new; which step set a quantity
 //!                     ├─ address, same      a step by the log's number; the same place in another log
 //!                     ├─ question  what a step asks before it shows its verdict, with choices and reasons
 //!                     ├─ words, headline    the lines of `explain` that tell a step, and its title
 //!                     ├─ told    all that a step says, the same in every face
 //!                     └─ moves   the moves from every step as tables, for a face that has no log
+//! reader    where one stands in a log, and what a command does: the same in every face
 //! keys      the moves by their keys and words: one table for every face
 //! ```
 //!
@@ -36,10 +38,12 @@ mod group;
 mod headline;
 mod interest;
 mod keys;
+mod known;
 mod level;
 mod moves;
 mod quantity;
 mod question;
+mod reader;
 mod same;
 mod setter;
 mod state;
@@ -62,10 +66,12 @@ pub use filter::{Filter, FilterError};
 pub use headline::{headline, subject};
 pub use interest::Interest;
 pub use keys::{Command, CommandError, KEYS, Key, PAGE, Shift, commands};
+pub use known::Known;
 pub use level::Level;
 pub use moves::{Moves, MovesFrom};
 pub use quantity::{Held, Quantity, Value};
 pub use question::{Asks, Choice, LETTERS, Question};
+pub use reader::{Reaction, Reader};
 pub use same::same_place;
 pub use state::{RayState, State};
 pub use step::Step;

@@ -6,13 +6,17 @@
 //!
 //! The log is one pixel of the 7 382 balls in NFF, traced against every object: 44 329 events. A move is timed with all that a
 //! face shows of the step behind it: the title, the words, what changed. The table has the median and the longest of each kind
-//! of move, in milliseconds, beside what a reader does not notice.
+//! of move, in milliseconds, beside what a reader does not notice. Below are the keys of the terminal, each with the frame that
+//! follows it, without the terminal itself.
 
 use std::fmt::Write;
 use std::path::Path;
 use std::time::{Duration, Instant};
 
+use ratatui::Terminal;
+use ratatui::backend::TestBackend;
 use raystep::step::{Command, Cursor, Level, Move, StepLog, StepWords, commands, headline};
+use raystep::tui::{App, Kept, Look, Titles, draw};
 use raystep::{Chosen, Record, Scene, Settings, Tracer, load, record_pixel};
 
 /// The pixel, and how many events it has.
@@ -73,6 +77,67 @@ fn row(table: &mut String, what: &str, mut times: Vec<Duration>, limit: Duration
         ms(*longest),
         ms(limit)
     );
+}
+
+/// Keys of the terminal: into the search, along its leaves, to targets and ends, and what lies over the screen.
+const KEYS: [&str; 24] = [
+    "→",
+    "↓",
+    "→",
+    "↓",
+    "↓",
+    "→",
+    "Space",
+    "Space",
+    "PgDn",
+    "n",
+    "n",
+    "n",
+    "w",
+    "End",
+    "PgUp",
+    "Home",
+    "↓",
+    "v",
+    "Esc",
+    "?",
+    "Esc",
+    "5",
+    "End",
+    "Backspace",
+];
+
+/// The first frame of the terminal, and each key with its frame.
+fn in_terminal(table: &mut String, log: &StepLog, [width, height]: [u16; 2]) {
+    let Some(start) = Cursor::at_start(log) else {
+        return;
+    };
+    let Ok(mut terminal) = Terminal::new(TestBackend::new(width, height)) else {
+        return;
+    };
+    let started = Instant::now();
+    let mut app = App::new(log, start, Kept::new(false), Titles::default());
+    let mut show = |app: &mut App| {
+        app.resize([width, height]);
+        let shown = terminal.draw(|frame| draw(app, Look::default(), frame));
+        assert!(shown.is_ok());
+    };
+    show(&mut app);
+    let what = format!("terminal {width} × {height}");
+    row(
+        table,
+        &format!("{what}, first frame"),
+        vec![started.elapsed()],
+        FIRST,
+    );
+    let mut times = Vec::new();
+    for key in KEYS {
+        let started = Instant::now();
+        let _ = app.press(key);
+        show(&mut app);
+        times.push(started.elapsed());
+    }
+    row(table, &format!("{what}, keys"), times, EACH);
 }
 
 fn main() {
@@ -159,6 +224,9 @@ fn main() {
         }
         row(&mut table, &format!("{text} ({found} found)"), times, EACH);
     }
+
+    in_terminal(&mut table, &log, [80, 24]);
+    in_terminal(&mut table, &log, [200, 60]);
 
     println!(
         "pixel {PIXEL:?}: {} events, {} steps, {length} bytes shown\n",

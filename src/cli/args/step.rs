@@ -29,6 +29,9 @@ pub(crate) struct StepArgs {
     /// Do these commands and end, as in \"into n n w t\"
     #[arg(long, value_name = "COMMANDS")]
     pub(crate) script: Option<String>,
+    /// Draw signs and lines in the terminal with letters of ASCII alone
+    #[arg(long)]
+    pub(crate) ascii: bool,
     /// Ask a question before a verdict is shown; the answer is a letter, or skip
     #[arg(long)]
     pub(crate) predict: bool,

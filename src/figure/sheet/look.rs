@@ -7,7 +7,7 @@
 
 /// What a colour says.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(in crate::figure) enum Colour {
+pub enum Colour {
     /// Lines and letters as in the text around.
     Ink,
     /// The ground.
@@ -72,7 +72,7 @@ impl Colour {
 
     /// The colour where there are no variables: blue, vermilion, bluish green, amber and grey, of which the first three
     /// differ for all colour vision, and the fourth by its pattern.
-    pub(in crate::figure) fn plain(self) -> [u8; 3] {
+    pub fn plain(self) -> [u8; 3] {
         match self {
             Self::Ink => [0x22, 0x22, 0x22],
             Self::Paper => [0xff, 0xff, 0xff],

@@ -16,6 +16,7 @@ pub(in crate::figure) mod look;
 )]
 pub(crate) mod sheet;
 pub(in crate::figure) mod stage;
+pub(in crate::figure) mod strokes;
 pub(in crate::figure) mod text;
 
 pub(crate) use sheet::Width;

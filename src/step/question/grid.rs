@@ -1,8 +1,7 @@
 //! The walk through a grid: the next plane, the mailboxes, and whether a hit is final.
 
 use crate::explain::cell_name;
-use crate::geometry::{AxisBox, Ray, TRange};
-use crate::mistake::{Wrong, mistake, mistakes};
+use crate::mistake::{WalkOfCells, Wrong, mistake, mistakes};
 use crate::scene::PrimitiveId;
 use crate::step::quantity::{Quantity, Value};
 use crate::step::question::at::{At, alike, listed, number};
@@ -93,9 +92,6 @@ pub(super) fn next_plane(at: &At, step: &CellStep) -> Option<Question> {
     );
     Question::new(Asks::NextPlane, text, at.step(), right, wrong)
 }
-
-/// A walk through a grid, as [`Wrong::CellsVisited`] has it.
-type WalkOfCells = fn(&AxisBox, [u32; 3], &Ray, TRange) -> Vec<[u32; 3]>;
 
 /// Which planes another walk crosses behind a cell; `None` if it does not visit that cell, or ends there.
 fn next_of_walk(at: &At, cell: [u32; 3], walk: WalkOfCells) -> Option<Across> {
