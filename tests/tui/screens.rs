@@ -38,7 +38,7 @@ fn eighty_columns_and_twenty_four_rows_suffice() {
                                     b = 2·Δ·(o − centre) = 2·[0.0030330574·(−2)
                                       + (−0.0060661148)·0 + (−1.9999816)·12] =
                                       −48.011691
-                                  … 6 more lines: Enter shows all
+                                  … 10 more lines: Enter shows all
                                    state ───────────────────────────────────────
                                   ray 0, nearest hit: A at t = 5.00028, set by
                                     step 3
