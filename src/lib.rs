@@ -19,7 +19,7 @@
 //! 8. [`explain`]: from events to words, and what each strategy costs;
 //! 9. [`figure`]: from events to the figures of a lecture; bars of costs and heat maps;
 //! 10. [`step`]: a log as a tree of steps, walked forwards and backwards, with the state at each;
-//! 11. [`page`]: the steps of a pixel in HTML: the stepper of a book;
+//! 11. [`page`]: the steps of a pixel in HTML: the stepper of a book, the page of a picture;
 //! 12. [`lesson`]: the course's data, the traces that its figures are drawn from, and its exercises.
 //!
 //! These are the core: no file system, no clock, no threads but by the feature `threads`. Above it are `files` (the file

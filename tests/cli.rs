@@ -4,7 +4,7 @@ pub(crate) mod run;
 pub(crate) mod strategies;
 
 pub(crate) mod figures;
-mod inspect;
+pub(crate) mod inspect;
 mod lesson;
 mod logs;
 mod manners;

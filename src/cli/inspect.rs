@@ -286,6 +286,9 @@ impl<'a> Pages<'a> {
         let strategy = strategy_title(source.settings);
         let mut notes = vec![format!("Transport: {transport}. Strategy: {strategy}.")];
         notes.extend(shown.notes);
+        if StepFigures::MOST_FOR_ALL_VIEWS < source.scene.primitives.len() {
+            notes.push("The scene has so many objects that one view is drawn.".into());
+        }
         let page = InspectPage {
             title: title(source.scene, &args.scene),
             notes,

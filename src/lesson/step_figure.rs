@@ -127,6 +127,10 @@ impl StepFigures {
         Err(none(first))
     }
 
+    /// Of a scene with more objects a page has one view: for each view all objects are looked at, and for the search its structure
+    /// is built again, which takes longer than to load the scene.
+    pub const MOST_FOR_ALL_VIEWS: usize = 100_000;
+
     /// What a page shows of a pixel, each as a whole: its rays from the side from where they are longest and in space, and the
     /// search of the strategy or the paths of light. What cannot be drawn is left out.
     pub fn views(&self, log: &StepLog) -> Vec<PixelView> {
@@ -155,7 +159,12 @@ impl StepFigures {
                     drawn: DrawnUpTo::new(kind, &self.traced[0]),
                 })
             };
-        let wanted = wanted.into_iter().flatten().enumerate();
+        let most = if Self::MOST_FOR_ALL_VIEWS < log.scene.primitives.len() {
+            1
+        } else {
+            wanted.len()
+        };
+        let wanted = wanted.into_iter().flatten().take(most).enumerate();
         wanted.filter_map(draw_view).collect()
     }
 

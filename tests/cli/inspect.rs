@@ -10,20 +10,22 @@ use serde_json::Value;
 use super::run::{Folder, Ran};
 use crate::book::plain_words;
 
+/// A part of a pixel's data.
+pub(crate) fn unpacked(part: &str) -> Value {
+    let bytes = BASE64.decode(part).unwrap();
+    let mut json = String::new();
+    GzDecoder::new(&bytes[..])
+        .read_to_string(&mut json)
+        .unwrap();
+    serde_json::from_str(&json).unwrap()
+}
+
 /// The data of each pixel that a page holds: the head, and then all its steps.
 fn pixels(page: &str) -> Vec<(String, Value, Vec<Value>)> {
     let of_pixel = |text: &str| {
         let (pixel, rest) = text.split_once("\">").unwrap();
         let packed = rest.split("</script>").next().unwrap();
-        let parts = packed.split(' ').map(|part| {
-            let bytes = BASE64.decode(part).unwrap();
-            let mut json = String::new();
-            GzDecoder::new(&bytes[..])
-                .read_to_string(&mut json)
-                .unwrap();
-            serde_json::from_str::<Value>(&json).unwrap()
-        });
-        let mut parts: Vec<Value> = parts.collect();
+        let mut parts: Vec<Value> = packed.split(' ').map(unpacked).collect();
         let head = parts.remove(0);
         let steps = parts.iter().flat_map(|part| part.as_array().unwrap());
         (pixel.to_owned(), head, steps.cloned().collect())

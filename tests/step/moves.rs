@@ -1,8 +1,11 @@
 //! The tables of the moves lead where the cursor goes.
 
+use raystep::page::PackedPixel;
 use raystep::step::{Cursor, Level, Move, StepLog};
+use serde_json::{Value, json};
 
 use super::{each_of_few, each_random};
+use crate::cli::inspect::unpacked;
 
 #[test]
 fn the_tables_lead_where_the_cursor_goes() {
@@ -93,4 +96,53 @@ fn what_each_event_changed_is_what_its_leaf_changed() {
     each_of_few(&mut check);
     each_random(&mut check);
     assert!(3000 < compared, "{compared} changes");
+}
+
+/// What a page looks up: the tables of its steps are the cursor's moves too.
+#[test]
+fn the_data_of_a_page_lead_where_the_cursor_goes() {
+    let mut compared = 0;
+    each_random(|name, log| {
+        let packed = PackedPixel::new(log, [0, 0], &[]);
+        let mut parts = packed.parts.iter().map(|part| unpacked(part));
+        let head = parts.next().unwrap();
+        let steps: Vec<Value> = parts
+            .flat_map(|part| part.as_array().unwrap().clone())
+            .collect();
+        assert_eq!(steps.len(), log.steps().len(), "{name}");
+        let targets = log.targets();
+        let moves = log.moves();
+        assert_eq!(head["walks"], json!(moves.walks), "{name}");
+        let grain = |place: &Value| moves.grains[place.as_u64().unwrap() as usize];
+        for (step, data) in steps.iter().enumerate().step_by(1 + steps.len() / 50) {
+            let here = Cursor::at(log, step);
+            let place = |to: Option<Cursor>| json!(to.map(|to| to.here));
+            for (key, to) in [
+                ("out", here.moved(log, Move::Out)),
+                ("into", here.moved(log, Move::Into)),
+                ("leaf", here.moved(log, Move::NextLeaf)),
+                ("leafBack", here.moved(log, Move::PreviousLeaf)),
+                ("target", here.next_of(log, &targets)),
+                ("targetBack", here.previous_of(log, &targets)),
+            ] {
+                assert_eq!(data[key], place(to), "{name}: {step} {key}");
+            }
+            assert_eq!(grain(&data["grain"]), here.grain, "{name}: {step}");
+            for (number, level) in Level::ALL.into_iter().enumerate() {
+                let there = here.at_level(log, level);
+                let [to, of_level] = [0, 1].map(|of| &data["levels"][number][of]);
+                assert_eq!(*to, json!(there.here), "{name}: {step} {level}");
+                assert_eq!(grain(of_level), there.grain, "{name}: {step} {level}");
+            }
+            let setter = log.who_set(step, None);
+            let who = setter.map(|setter| (log.landing(setter.event), setter.text(log)));
+            assert_eq!(data["who"], json!(who), "{name}: {step}");
+            compared += 1;
+        }
+        let leaves: Vec<usize> = (0..log.records.len())
+            .map(|event| log.leaf(event))
+            .collect();
+        assert_eq!(head["leaves"], json!(leaves), "{name}");
+    });
+    assert!(3000 < compared, "{compared} steps");
 }
