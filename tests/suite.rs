@@ -4,6 +4,7 @@ mod bad_input;
 mod book;
 mod bounds;
 mod calculator;
+mod check;
 mod cli;
 mod compare;
 mod exact;

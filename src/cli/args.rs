@@ -1,5 +1,6 @@
 //! What can be said on the command line.
 
+mod check;
 mod colours;
 mod figures;
 mod inspect;
@@ -16,6 +17,7 @@ use raystep::trace::{Kind, Region};
 use raystep::tracer::HeatOf;
 
 use crate::cli::word::one_of;
+pub(crate) use check::{CheckArgs, CheckFormat};
 pub(crate) use colours::Colours;
 pub(crate) use figures::{
     Drawing, FigureArgs, FiguresArgs, MdbookArgs, MdbookVerb, Subject, WidthName,
@@ -73,6 +75,8 @@ pub(crate) enum Verb {
     Figures(FiguresArgs),
     /// Write out the course's exercises, list and check them, and give hints.
     Lesson(LessonArgs),
+    /// Check the log of a ray tracer in any language against a scene.
+    Check(CheckArgs),
     /// Write a scene in NFF, OBJ or JSON, or the scene of a log, as JSON.
     Convert(ConvertArgs),
     /// Print the JSON Schema of scenes, lessons or logs.

@@ -6,6 +6,7 @@ use std::io;
 use clap::error::{ContextKind, ContextValue};
 use raystep::book::BookError;
 use raystep::lesson::LessonError;
+use raystep::lesson::check::CheckError;
 use raystep::scene::{Fault, printable};
 use raystep::step::{AddressError, CommandError};
 use raystep::structure::{GridError, StructureError};
@@ -52,6 +53,8 @@ pub(crate) enum Error {
     },
     /// The log could not be read.
     Log(LogError),
+    /// A foreign log that cannot be checked.
+    Check(CheckError),
     /// A lesson, or a figure of it.
     Lesson(Box<LessonError>),
     /// A book whose directives cannot be followed.
@@ -173,6 +176,8 @@ pub(crate) enum Error {
         /// What to do about it.
         fix: &'static str,
     },
+    /// Two inputs that both are standard input.
+    StandardInputTwice,
     /// Nothing can be written there.
     Target {
         /// The target, as it was given.
@@ -246,6 +251,10 @@ impl fmt::Display for Error {
             ),
             Self::Log(error @ (LogError::Line { .. } | LogError::NoLog { .. })) => write!(f, "{error} with 'raystep trace'"),
             Self::Log(error) => error.fmt(f),
+            Self::Check(error) => error.fmt(f),
+            Self::StandardInputTwice => f.write_str(
+                "the scene and the log cannot both come from standard input\n  name a file for one of them",
+            ),
             Self::Lesson(error) => {
                 error.fmt(f)?;
                 match &**error {
@@ -433,6 +442,12 @@ impl From<LoadError> for Error {
 impl From<LogError> for Error {
     fn from(error: LogError) -> Self {
         Self::Log(error)
+    }
+}
+
+impl From<CheckError> for Error {
+    fn from(error: CheckError) -> Self {
+        Self::Check(error)
     }
 }
 

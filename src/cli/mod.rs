@@ -1,6 +1,7 @@
 //! The command line: one file per verb. It reads scenes and logs, calls the library, writes files.
 
 mod args;
+mod check;
 mod compare;
 mod completions;
 mod convert;
@@ -60,6 +61,7 @@ pub(crate) fn run(arguments: impl Iterator<Item = OsString>) -> Result<ExitCode,
         Verb::Figure(args) => figure::run(&args),
         Verb::Figures(args) => figures::run(&args),
         Verb::Lesson(args) => return lesson::run(&args),
+        Verb::Check(args) => return check::run(&args),
         Verb::Convert(args) => convert::run(&args),
         Verb::Schema(args) => schema::run(&args),
         Verb::Completions(args) => completions::run(&args),

@@ -1,5 +1,6 @@
 //! The course's data: lesson files, and the traces that their figures are drawn from.
 
+pub mod check;
 mod compare;
 mod compare_transports;
 mod error;

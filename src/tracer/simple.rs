@@ -14,7 +14,7 @@
 //! }
 //! ```
 //!
-//! The loops are [`picture`] and [`closest`]; the colour at the closest intersection is [`shade`], with a shadow ray to
+//! The loops are [`picture`], [`pixel`] and [`closest`]; the colour at the closest intersection is [`shade`], with a shadow ray to
 //! each light, a reflected and a refracted ray (T. Whitted 1980). Each function that a lesson explains is a method of
 //! [`Parts`], whose default is the crate's own function. So a picture can be made with one of them replaced: by a
 //! student's function, by a wrong one, or by a faster search for the nearest object.
@@ -42,15 +42,21 @@ pub fn picture(scene: &Scene, parts: &impl Parts) -> Picture {
     let mut colours = Vec::new();
     for y in 0..height {
         for x in 0..width {
-            let to_window = parts.window_point(camera, f64::from(x) + 0.5, f64::from(y) + 0.5);
-            let ray = parts.eye_ray(camera, to_window);
-            colours.push(colour(scene, parts, &ray, TRange::FORWARD, 1));
+            colours.push(pixel(scene, parts, [x, y]));
         }
     }
     Picture {
         pixels: camera.pixels,
         colours,
     }
+}
+
+/// The colour of a pixel: "determine ray from center of projection through pixel".
+pub fn pixel(scene: &Scene, parts: &impl Parts, [x, y]: [u32; 2]) -> DVec3 {
+    let camera = &scene.camera;
+    let to_window = parts.window_point(camera, f64::from(x) + 0.5, f64::from(y) + 0.5);
+    let ray = parts.eye_ray(camera, to_window);
+    colour(scene, parts, &ray, TRange::FORWARD, 1)
 }
 
 /// The colour that a ray sees: the background, or the colour at the closest intersection.

@@ -67,6 +67,14 @@ pub(super) fn radius(text: &str) -> Result<f64, String> {
     }
 }
 
+/// How far two numbers may differ.
+pub(super) fn tolerance(text: &str) -> Result<f64, String> {
+    match text.trim().parse() {
+        Ok(tolerance) if (0.0..1.0).contains(&tolerance) => Ok(tolerance),
+        _ => Err("give a number from 0 to below 1, such as 1e-5".into()),
+    }
+}
+
 pub(super) fn pair<T: std::str::FromStr>(text: &str) -> Option<[T; 2]> {
     let (first, second) = text.split_once(',')?;
     Some([first.trim().parse().ok()?, second.trim().parse().ok()?])

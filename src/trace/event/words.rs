@@ -61,7 +61,7 @@ macro_rules! readable {
     };
 }
 
-readable! { RayVerdict, PhotonVerdict, Visibility, Verdict, Why, NodeVerdict, QueueAction }
+readable! { Purpose, RayVerdict, PhotonVerdict, Visibility, Verdict, Why, NodeVerdict, QueueAction }
 
 words! {
     /// How many real roots an equation has.

@@ -1,0 +1,341 @@
+//! Which quantity of a line differs from the one that is expected, and which may.
+
+use crate::lesson::check::checked::Quantity;
+use crate::lesson::check::value::{Fields, Value, close};
+use crate::trace::Kind;
+
+/// Where a line belongs, what counts steps of this program, and what is free: ε, and how deep an eye ray is.
+const FREE: [&str; 17] = [
+    "kind",
+    "step",
+    "pixel",
+    "ray",
+    "parent",
+    "purpose",
+    "sample",
+    "samples",
+    "place",
+    "t_min",
+    "t_max",
+    "depth",
+    "tests",
+    "hits",
+    "replaced",
+    "decided_by",
+    "t_window",
+];
+
+/// Keys that an event has or has not: what stands there where nothing is expected is a difference.
+const OPTIONAL: [&str; 10] = [
+    "near",
+    "far",
+    "root",
+    "t",
+    "object",
+    "direction",
+    "near_verdict",
+    "far_verdict",
+    "root_verdict",
+    "why",
+];
+
+/// How a line is compared.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct How {
+    pub(super) kind: Kind,
+    pub(super) tolerance: f64,
+    /// The length of the log's direction: its t are the expected ones divided by this.
+    pub(super) length: f64,
+    /// t of the ray's nearest hit, on the log's scale: whoever tests the objects in another order says "beyond" of another one.
+    pub(super) nearest: Option<f64>,
+    /// Is it a shadow ray? Then any blocker will do.
+    pub(super) is_shadow: bool,
+}
+
+/// A field that has another kind of value than it can have.
+pub(super) struct WrongType {
+    pub(super) key: String,
+    pub(super) yours: Value,
+    pub(super) expected: Value,
+}
+
+/// The quantities that a line and an event both have, in the order in which they are worked out.
+pub(super) fn compare(
+    yours: &Fields,
+    expected: &Fields,
+    how: How,
+) -> Result<Vec<Quantity>, WrongType> {
+    let mut expected = in_their_form(yours, expected, how);
+    if how.kind == Kind::LightTerm {
+        // L and the cosines come before the question whether the light is hidden
+        expected
+            .0
+            .sort_by_key(|(key, _)| ["visibility", "diffuse", "specular"].contains(&key.as_str()));
+    }
+    let expected = &expected;
+    let mut found = Vec::new();
+    for (key, expected_value) in &expected.0 {
+        if FREE.contains(&key.as_str()) || is_left_out(key, expected, how) {
+            continue;
+        }
+        let Some(value) = yours.get(key).filter(|of| **of != Value::Nothing) else {
+            continue;
+        };
+        let has_type = std::mem::discriminant(value) == std::mem::discriminant(expected_value);
+        if !has_type {
+            return Err(WrongType {
+                key: key.clone(),
+                yours: value.clone(),
+                expected: expected_value.clone(),
+            });
+        }
+        found.push(Quantity {
+            key: key.clone(),
+            yours: value.to_string(),
+            expected: expected_value.to_string(),
+            is_same: is_same(key, [value, expected_value], [yours, expected], how),
+        });
+    }
+    for key in OPTIONAL {
+        let (Some(value), None) = (yours.get(key), expected.get(key)) else {
+            continue;
+        };
+        if *value == Value::Nothing || is_left_out(key, expected, how) || is_beyond(yours, how) {
+            continue;
+        }
+        // words that only say more closely what others say
+        if key == "why" || key.ends_with("_verdict") {
+            continue;
+        }
+        found.push(Quantity {
+            key: key.into(),
+            yours: value.to_string(),
+            expected: "nothing".into(),
+            is_same: false,
+        });
+    }
+    Ok(found)
+}
+
+/// Is what follows from the sign of a discriminant free, since it is 0 within the tolerance?
+fn is_graze(expected: &Fields) -> bool {
+    /// Of b²: what is left of it where the ray touches.
+    const SHARE: f64 = 1e-7;
+    match (expected.number("discriminant"), expected.number("b")) {
+        (Some(discriminant), Some(b)) => discriminant.abs() <= SHARE * b * b,
+        _ => false,
+    }
+}
+
+fn is_left_out(key: &str, expected: &Fields, how: How) -> bool {
+    let of_roots = [
+        "roots",
+        "near",
+        "far",
+        "near_verdict",
+        "far_verdict",
+        "verdict",
+        "why",
+        "t",
+    ];
+    if is_graze(expected) && of_roots.contains(&key) {
+        return true;
+    }
+    match how.kind {
+        Kind::RayEnd => how.is_shadow && ["object", "t", "colour"].contains(&key),
+        // another order of the objects, another last but one
+        Kind::Cell => key == "listed",
+        _ => false,
+    }
+}
+
+/// Does the line say "beyond the nearest" of a hit that is?
+fn is_beyond(yours: &Fields, how: How) -> bool {
+    let t = ["near", "root", "t"]
+        .into_iter()
+        .find_map(|key| yours.number(key));
+    match (t, how.nearest) {
+        (Some(t), Some(nearest)) => nearest - how.tolerance * nearest.abs().max(1.0) <= t,
+        _ => false,
+    }
+}
+
+fn is_same(
+    key: &str,
+    [yours, expected]: [&Value; 2],
+    [line, event]: [&Fields; 2],
+    how: How,
+) -> bool {
+    let tolerance = how.tolerance;
+    let scaled = |size: f64| match (yours, expected) {
+        (Value::Number(yours), Value::Number(expected)) => {
+            (yours - expected).abs() <= tolerance * size.max(1.0).max(expected.abs())
+        }
+        _ => false,
+    };
+    let b_squared = event.number("b").map_or(0.0, |b| b * b);
+    match (how.kind, key) {
+        // differences of larger terms
+        (_, "discriminant") => {
+            let product = event
+                .number("a")
+                .zip(event.number("c"))
+                .map_or(0.0, |(a, c)| 4.0 * a * c);
+            scaled(b_squared + product.abs())
+        }
+        (_, "c") => scaled(b_squared),
+        (_, "verdict" | "why" | "near_verdict" | "far_verdict" | "root_verdict") => {
+            is_same_word(yours, expected) || is_beyond(line, how)
+        }
+        (Kind::RayEnd, "outcome") => is_same_outcome(yours, expected),
+        (Kind::PolygonTest, "crossings") => match (yours, expected) {
+            // the half-line may go either way
+            (Value::Number(yours), Value::Number(expected)) => (yours - expected) % 2.0 == 0.0,
+            _ => false,
+        },
+        (Kind::PolygonTest, "dropped" | "coefficient") => {
+            // of two coefficients of one size either may be dropped
+            yours.is(expected, tolerance) || has_same_size(line, event, tolerance)
+        }
+        (Kind::PolygonTest, "projected") => {
+            yours.is(expected, tolerance) || line.text("dropped") != event.text("dropped")
+        }
+        (Kind::LightTerm, "visibility") => {
+            // behind the surface nobody needs to ask
+            yours == expected || event.number("n_dot_l").is_some_and(|cosine| cosine <= 0.0)
+        }
+        (Kind::LightTerm, "diffuse" | "specular") => {
+            let is_dark = event.text("visibility") != Some("visible");
+            let is_0 = matches!(yours, Value::List(list) if list.iter().all(|of| *of == 0.0));
+            yours.is(expected, tolerance) || (is_dark && is_0)
+        }
+        (Kind::PixelColour, "rgb") => match (yours, expected) {
+            // rounded or cut off
+            (Value::List(yours), Value::List(expected)) => {
+                yours.len() == expected.len()
+                    && yours
+                        .iter()
+                        .zip(expected)
+                        .all(|(a, b)| (a - b).abs() <= 1.0)
+            }
+            _ => false,
+        },
+        _ => yours.is(expected, tolerance),
+    }
+}
+
+/// Behind the origin or below ε: which of the two depends on ε.
+fn is_same_word(yours: &Value, expected: &Value) -> bool {
+    let before = |value: &Value| matches!(value, Value::Text(word) if word == "behind" || word == "below_epsilon");
+    yours == expected || (before(yours) && before(expected))
+}
+
+/// A shadow ray that hits nothing reaches its light.
+fn is_same_outcome(yours: &Value, expected: &Value) -> bool {
+    let plain = |value: &Value| match value {
+        Value::Text(word) => match word.as_str() {
+            "reaches_light" => "miss".to_owned(),
+            "blocked" => "hit".to_owned(),
+            other => other.to_owned(),
+        },
+        _ => String::new(),
+    };
+    plain(yours) == plain(expected)
+}
+
+fn has_same_size(yours: &Fields, expected: &Fields, tolerance: f64) -> bool {
+    match (yours.number("coefficient"), expected.number("coefficient")) {
+        (Some(yours), Some(expected)) => close(yours.abs(), expected.abs(), tolerance),
+        _ => false,
+    }
+}
+
+/// What is expected in the form that the line has: t on its scale, half b, a plane with another factor.
+fn in_their_form(yours: &Fields, expected: &Fields, how: How) -> Fields {
+    let mut form = expected.clone();
+    let mut scale = |keys: &[&str], factor: f64| {
+        for (key, value) in &mut form.0 {
+            if keys.contains(&key.as_str()) {
+                match value {
+                    Value::Number(number) => *number *= factor,
+                    Value::List(list) => list.iter_mut().for_each(|of| *of *= factor),
+                    _ => {}
+                }
+            }
+        }
+    };
+    match how.kind {
+        Kind::Nearest | Kind::RayEnd | Kind::Cell | Kind::GridEnter | Kind::HitOutsideCell => {
+            let keys = [
+                "t", "t_in", "t_out", "next_x", "next_y", "next_z", "near", "far",
+            ];
+            scale(&keys, 1.0 / how.length);
+        }
+        Kind::PlaneTest | Kind::PolygonTest => {
+            if let Some(factor) = plane_factor(yours, expected, how.tolerance) {
+                scale(
+                    &["plane", "numerator", "denominator", "coefficient"],
+                    factor,
+                );
+            }
+        }
+        Kind::SphereTest | Kind::EllipsoidTest | Kind::ConeTest
+            if is_half_b(yours, expected, how.tolerance) =>
+        {
+            scale(&["b"], 0.5);
+            scale(&["discriminant"], 0.25);
+        }
+        _ => {}
+    }
+    form
+}
+
+/// A, B, C and D mean the same plane with any factor: the one that the line has. `None` if it is not the same plane.
+fn plane_factor(yours: &Fields, expected: &Fields, tolerance: f64) -> Option<f64> {
+    let pairs = |key: &str| Some((yours.list(key)?.to_vec(), expected.list(key)?.to_vec()));
+    if let Some((yours, expected)) = pairs("plane") {
+        let [largest] = expected
+            .iter()
+            .take(3)
+            .enumerate()
+            .max_by(|a, b| a.1.abs().total_cmp(&b.1.abs()))
+            .map(|(place, _)| [place])?;
+        let factor = yours.get(largest)? / expected[largest];
+        let fits = yours.len() == expected.len()
+            && yours
+                .iter()
+                .zip(&expected)
+                .all(|(yours, expected)| close(*yours, factor * expected, tolerance));
+        return (fits && factor != 0.0).then_some(factor);
+    }
+    let ratio = |key: &str| Some(yours.number(key)? / expected.number(key)?);
+    let factors: Vec<f64> = ["denominator", "numerator", "coefficient"]
+        .into_iter()
+        .filter_map(ratio)
+        .filter(|factor| factor.is_finite() && *factor != 0.0)
+        .collect();
+    let first = *factors.first()?;
+    // a single number of another size may be a mistake; two that agree are another factor
+    let agrees = factors
+        .iter()
+        .all(|factor| close(factor / first, 1.0, 10.0 * tolerance));
+    (agrees && (1 < factors.len() || close(first, -1.0, tolerance))).then_some(first)
+}
+
+/// Is the line right in the form with half b: b′ = b/2 and b′² − ac?
+fn is_half_b(yours: &Fields, expected: &Fields, tolerance: f64) -> bool {
+    let is = |key: &str, factor: f64| {
+        let (yours, expected) = (yours.number(key), expected.number(key)?);
+        yours.map(|yours| close(yours, factor * expected, 10.0 * tolerance))
+    };
+    let is_other = expected
+        .number("b")
+        .is_some_and(|b| !close(0.5 * b, b, tolerance));
+    is_other
+        && match (is("b", 0.5), is("discriminant", 0.25)) {
+            (Some(b), Some(discriminant)) => b && discriminant,
+            (None, Some(discriminant)) => discriminant && !is("discriminant", 1.0).unwrap_or(false),
+            // b alone says nothing of the form
+            (Some(_) | None, None) => false,
+        }
+}
