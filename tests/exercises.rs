@@ -1,6 +1,7 @@
 //! The exercises: each solution is right, each stub is not written, and each mistake is caught by its name.
 
 mod alternatives;
+mod by_hand;
 mod solved;
 mod stubs;
 

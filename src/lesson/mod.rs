@@ -1,4 +1,4 @@
-//! The course's data: lesson files, and the traces that their figures are drawn from.
+//! The course's data: lesson files, the traces that their figures are drawn from, and the exercises.
 
 pub mod check;
 mod compare;

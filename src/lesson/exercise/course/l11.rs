@@ -460,3 +460,40 @@ pub static SPLIT_COST: Task<Cut, fn(f64, f64, [(f64, usize); 2]) -> f64> = Task 
     scenery: |_| Vec::new(),
     marks: None,
 };
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::tracer::simple::Own;
+
+    #[test]
+    fn both_searches_find_what_testing_every_object_finds() {
+        let mut hits = 0;
+        for case in cases() {
+            let SceneRay { scene, ray, range } = &case.input;
+            let expected = Own.nearest(scene, ray, *range);
+            for search in [hier_traverse, heap] {
+                let found = hit_of(search(&Tree::new(scene, &Silent), ray));
+                assert_eq!(found, expected, "{}", case.note);
+            }
+            hits += u32::from(expected.is_some());
+        }
+        assert!(15 < hits, "{hits}");
+    }
+
+    #[test]
+    fn the_heap_opens_the_nearer_child_and_none_behind_the_hit() {
+        let scene = shapes(&spheres(&[
+            ([0.0, 0.0, -16.0], 1.0),
+            ([0.0, 0.0, -12.0], 1.0),
+            ([0.0, 0.0, -8.0], 1.0),
+            ([0.0, 0.0, -4.0], 1.0),
+        ]));
+        let tree = Tree::new(&scene, &Silent);
+        let found = heap(&tree, &Ray::new(DVec3::ZERO, DVec3::NEG_Z));
+        assert_eq!(found, Some((3, 3.0)));
+        // the root, its second half (4 in numbers of nodes), and the second object of that
+        assert_eq!(tree.noted().opened, [0, 4, 6]);
+        assert_eq!(tree.noted().orphan, None);
+    }
+}

@@ -1076,4 +1076,32 @@ mod tests {
             );
         }
     }
+
+    #[test]
+    fn the_walk_finds_what_testing_every_object_finds() {
+        use crate::tracer::simple::{Own, Parts};
+        let mut hits = 0;
+        for case in (WALK.cases)() {
+            let Walked { scene, ray } = &case.input;
+            let cells = Cells::new(scene, &AROUND, [4; 3], &Silent);
+            let found = walk_by(&cells, ray, &RIGHT);
+            // balls reach out of the grid, and a hit out there is none of the grid's
+            let around = AROUND.inside(ray);
+            let range = around.map_or(TRange { min: 1.0, max: 0.0 }, |[near, far]| TRange {
+                min: near.max(0.0),
+                max: far,
+            });
+            let expected = Own.nearest(scene, ray, range);
+            if let Some(expected) = expected {
+                let found = found.map(|(_, t)| t);
+                assert!(
+                    found.is_some_and(|t| t <= expected.t),
+                    "{}: {found:?}, {expected:?}",
+                    case.note
+                );
+                hits += 1;
+            }
+        }
+        assert!(8 <= hits, "{hits}");
+    }
 }
