@@ -143,6 +143,10 @@ lessons! {
     "12-grid/scene.json",
     "12-grid/solution.rs",
     "12-grid/steps.json",
+    "any-language/README.md",
+    "any-language/scene.json",
+    "any-language/tracer.cpp",
+    "any-language/tracer.py",
 }
 
 #[cfg(test)]
