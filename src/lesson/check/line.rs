@@ -15,7 +15,7 @@ pub(super) struct Line {
     pub(super) pixel: [u32; 2],
     /// The number that the log has for the ray, if it numbers rays.
     pub(super) ray: Option<u64>,
-    /// The number of the ray that this one was sent on from.
+    /// The number of the ray at whose hit this one starts.
     pub(super) parent: Option<u64>,
     pub(super) purpose: Option<Purpose>,
     pub(super) fields: Fields,

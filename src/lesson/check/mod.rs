@@ -8,7 +8,8 @@
 //!                   ▶ pixel      the lines of one pixel, put together into rays
 //!                   ▶ reference  the same pixel as the crate traces it
 //!                   ▶ on_ray     what every object says to a ray of the log's own
-//!                   ▶ matching   which line is which event
+//!                   ▶ pairing    which ray of the log is which, and which line is which event
+//!                   ▶ matching   the lines of a pixel against its events
 //!                   ▶ fields     which quantity differs, and which may
 //!                   ▶ suspects   the mistakes that give the student's values
 //!                   ▶ checked    what was compared, what was absent, the first divergence; report tells it, picture draws it
@@ -25,6 +26,7 @@ mod line;
 mod matching;
 mod on_ray;
 mod options;
+mod pairing;
 mod picture;
 mod reference;
 mod report;
