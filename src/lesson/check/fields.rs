@@ -44,6 +44,8 @@ const OPTIONAL: [&str; 10] = [
 pub(super) struct How {
     pub(super) kind: Kind,
     pub(super) tolerance: f64,
+    /// How far colours may differ.
+    pub(super) colour: f64,
     /// The length of the log's direction: its t are the expected ones divided by this.
     pub(super) length: f64,
     /// t of the ray's nearest hit, on the log's scale: whoever tests the objects in another order says "beyond" of another one.
@@ -166,7 +168,10 @@ fn is_same(
     [line, event]: [&Fields; 2],
     how: How,
 ) -> bool {
-    let tolerance = how.tolerance;
+    let tolerance = match (how.kind, key) {
+        (Kind::PixelColour, _) | (Kind::RayEnd, "colour") => how.colour,
+        _ => how.tolerance,
+    };
     let scaled = |size: f64| match (yours, expected) {
         (Value::Number(yours), Value::Number(expected)) => {
             (yours - expected).abs() <= tolerance * size.max(1.0).max(expected.abs())
@@ -181,13 +186,28 @@ fn is_same(
                 .number("a")
                 .zip(event.number("c"))
                 .map_or(0.0, |(a, c)| 4.0 * a * c);
-            scaled(b_squared + product.abs())
+            scaled(10.0 * (b_squared + product.abs()))
         }
         (_, "c") => scaled(b_squared),
         (_, "verdict" | "why" | "near_verdict" | "far_verdict" | "root_verdict") => {
             is_same_word(yours, expected) || is_beyond(line, how)
         }
         (Kind::RayEnd, "outcome") => is_same_outcome(yours, expected),
+        // the other sign, where the root says that both have it
+        (Kind::PlaneTest, "numerator" | "denominator") if has_root(line, event, tolerance) => {
+            same_size(yours, expected, tolerance)
+        }
+        // cut off at 0 as the terms are
+        (Kind::LightTerm, "n_dot_l" | "r_dot_v") => {
+            let is_cut = matches!((yours, expected), (Value::Number(yours), Value::Number(expected))
+                if *yours == 0.0 && *expected < 0.0);
+            yours.is(expected, tolerance) || is_cut
+        }
+        (Kind::LightTerm, "to_light") => {
+            let unit = line.vector("to_light").map(glam::DVec3::normalize_or_zero);
+            let unit = unit.map(|unit| Value::List(unit.to_array().into()));
+            yours.is(expected, tolerance) || unit.is_some_and(|unit| unit.is(expected, tolerance))
+        }
         (Kind::PolygonTest, "crossings") => match (yours, expected) {
             // the half-line may go either way
             (Value::Number(yours), Value::Number(expected)) => (yours - expected) % 2.0 == 0.0,
@@ -224,6 +244,23 @@ fn is_same(
     }
 }
 
+/// Is the root of a plane the expected one?
+fn has_root(line: &Fields, event: &Fields, tolerance: f64) -> bool {
+    match (line.number("root"), event.number("root")) {
+        (Some(yours), Some(expected)) => close(yours, expected, tolerance),
+        _ => false,
+    }
+}
+
+fn same_size(yours: &Value, expected: &Value, tolerance: f64) -> bool {
+    match (yours, expected) {
+        (Value::Number(yours), Value::Number(expected)) => {
+            close(yours.abs(), expected.abs(), tolerance)
+        }
+        _ => false,
+    }
+}
+
 /// Behind the origin or below ε: which of the two depends on ε.
 fn is_same_word(yours: &Value, expected: &Value) -> bool {
     let before = |value: &Value| matches!(value, Value::Text(word) if word == "behind" || word == "below_epsilon");
@@ -253,41 +290,60 @@ fn has_same_size(yours: &Fields, expected: &Fields, tolerance: f64) -> bool {
 /// What is expected in the form that the line has: t on its scale, half b, a plane with another factor.
 fn in_their_form(yours: &Fields, expected: &Fields, how: How) -> Fields {
     let mut form = expected.clone();
-    let mut scale = |keys: &[&str], factor: f64| {
-        for (key, value) in &mut form.0 {
-            if keys.contains(&key.as_str()) {
-                match value {
-                    Value::Number(number) => *number *= factor,
-                    Value::List(list) => list.iter_mut().for_each(|of| *of *= factor),
-                    _ => {}
-                }
-            }
-        }
-    };
     match how.kind {
-        Kind::Nearest | Kind::RayEnd | Kind::Cell | Kind::GridEnter | Kind::HitOutsideCell => {
+        Kind::Cell | Kind::GridEnter | Kind::HitOutsideCell => {
             let keys = [
                 "t", "t_in", "t_out", "next_x", "next_y", "next_z", "near", "far",
             ];
-            scale(&keys, 1.0 / how.length);
+            scale(&mut form, &keys, 1.0 / how.length);
         }
         Kind::PlaneTest | Kind::PolygonTest => {
-            if let Some(factor) = plane_factor(yours, expected, how.tolerance) {
+            // N·p = D has the other D
+            let mut other = expected.clone();
+            for (key, value) in &mut other.0 {
+                if let ("plane", Value::List(list)) = (key.as_str(), value)
+                    && let Some(d) = list.get_mut(3)
+                {
+                    *d = -*d;
+                }
+            }
+            let is_other = plane_factor(yours, expected, how.tolerance).is_none()
+                && yours.get("plane").is_some()
+                && has_root(yours, expected, how.tolerance)
+                && plane_factor(yours, &other, how.tolerance).is_some();
+            let source = if is_other { &other } else { expected };
+            if is_other {
+                form = other.clone();
+            }
+            if let Some(factor) = plane_factor(yours, source, how.tolerance) {
                 scale(
+                    &mut form,
                     &["plane", "numerator", "denominator", "coefficient"],
                     factor,
                 );
             }
         }
-        Kind::SphereTest | Kind::EllipsoidTest | Kind::ConeTest
-            if is_half_b(yours, expected, how.tolerance) =>
-        {
-            scale(&["b"], 0.5);
-            scale(&["discriminant"], 0.25);
+        Kind::SphereTest | Kind::EllipsoidTest | Kind::ConeTest => {
+            if let Some([b, discriminant]) = form_of_b(yours, expected, how.tolerance) {
+                scale(&mut form, &["b"], b);
+                scale(&mut form, &["discriminant"], discriminant);
+            }
         }
         _ => {}
     }
     form
+}
+
+fn scale(form: &mut Fields, keys: &[&str], factor: f64) {
+    for (key, value) in &mut form.0 {
+        if keys.contains(&key.as_str()) {
+            match value {
+                Value::Number(number) => *number *= factor,
+                Value::List(list) => list.iter_mut().for_each(|of| *of *= factor),
+                _ => {}
+            }
+        }
+    }
 }
 
 /// A, B, C and D mean the same plane with any factor: the one that the line has. `None` if it is not the same plane.
@@ -322,20 +378,31 @@ fn plane_factor(yours: &Fields, expected: &Fields, tolerance: f64) -> Option<f64
     (agrees && (1 < factors.len() || close(first, -1.0, tolerance))).then_some(first)
 }
 
-/// Is the line right in the form with half b: b′ = b/2 and b′² − ac?
-fn is_half_b(yours: &Fields, expected: &Fields, tolerance: f64) -> bool {
-    let is = |key: &str, factor: f64| {
+/// The form of the quadratic that the line has, as factors of b and of the discriminant: half b, b′² − ac, or b with the
+/// other sign, which the formula of the roots then has too. `None`: the usual one, or none that fits.
+fn form_of_b(yours: &Fields, expected: &Fields, tolerance: f64) -> Option<[f64; 2]> {
+    const FORMS: [[f64; 2]; 3] = [[0.5, 0.25], [-1.0, 1.0], [-0.5, 0.25]];
+    let loose = 10.0 * tolerance;
+    let fits = |key: &str, factor: f64| {
         let (yours, expected) = (yours.number(key), expected.number(key)?);
-        yours.map(|yours| close(yours, factor * expected, 10.0 * tolerance))
+        yours.map(|yours| close(yours, factor * expected, loose))
     };
-    let is_other = expected
-        .number("b")
-        .is_some_and(|b| !close(0.5 * b, b, tolerance));
-    is_other
-        && match (is("b", 0.5), is("discriminant", 0.25)) {
-            (Some(b), Some(discriminant)) => b && discriminant,
-            (None, Some(discriminant)) => discriminant && !is("discriminant", 1.0).unwrap_or(false),
-            // b alone says nothing of the form
-            (Some(_) | None, None) => false,
-        }
+    if fits("b", 1.0).unwrap_or(true) && fits("discriminant", 1.0).unwrap_or(true) {
+        return None;
+    }
+    // b alone says nothing of the form; with its sign turned, the roots tell whether that was meant
+    let roots = ["near", "far", "t"];
+    let roots: Vec<bool> = roots.into_iter().filter_map(|key| fits(key, 1.0)).collect();
+    let has_roots =
+        expected.number("near").is_none() || (!roots.is_empty() && roots.iter().all(|fits| *fits));
+    FORMS.into_iter().find(|[b, discriminant]| {
+        let discriminant_fits = fits("discriminant", *discriminant);
+        fits("b", *b).unwrap_or(true)
+            && discriminant_fits.unwrap_or(true)
+            && if *b < 0.0 {
+                has_roots && fits("b", *b).is_some()
+            } else {
+                discriminant_fits.is_some()
+            }
+    })
 }

@@ -198,7 +198,11 @@ fn place_of(rays: &[ForeignRay], line: &Line) -> Option<usize> {
     }
     // the shade of a point belongs to the ray that hit it, not to the shadow rays from it
     let of_hit = matches!(line.kind, Kind::LightTerm | Kind::Shade | Kind::Refraction);
-    let fits = |ray: &ForeignRay| match line.purpose {
+    // and it is often written behind them
+    let purpose = line
+        .purpose
+        .filter(|purpose| !(of_hit && *purpose == Purpose::Shadow));
+    let fits = |ray: &ForeignRay| match purpose {
         Some(purpose) => ray.purpose.is_none_or(|of| of == purpose),
         None => !(of_hit && ray.purpose == Some(Purpose::Shadow)),
     };

@@ -17,6 +17,12 @@ use crate::lesson::check::suspects::{self, Situation, Suspects};
 use crate::lesson::check::value::{Fields, Value};
 use crate::trace::{Kind, Purpose};
 
+/// How many times further beside its point a ray of a bent mirror may hit.
+const AMPLIFIED: f64 = 30.0;
+
+/// How far a colour may differ: a quarter of the step between two bytes.
+const COLOUR: f64 = 1e-3;
+
 /// A line with the event that it is.
 struct Compared<'a> {
     line: &'a Line,
@@ -74,6 +80,8 @@ struct Comparing<'a, 's> {
     options: &'a CheckOptions,
     checked: &'a mut Checked,
     name: &'a str,
+    /// How far numbers may differ because the log's rays start beside their points, by the ray's place.
+    slack: Vec<f64>,
 }
 
 /// Compares the lines of a pixel with its events.
@@ -93,8 +101,8 @@ pub(super) fn compare(
         options,
         checked,
         name,
+        slack: vec![0.0; expected.rays.len()],
     };
-    let mut different = comparing.own(pixel)?;
     let mut contexts = Vec::new();
     let mut is_wrong = vec![false; expected.rays.len()];
     let mut matched: Vec<(usize, &ForeignRay)> = Vec::new();
@@ -109,6 +117,10 @@ pub(super) fn compare(
     }
     // a ray comes before those that start where it ends
     matched.sort_by_key(|(place, _)| *place);
+    for (place, foreign) in &matched {
+        comparing.allow(*place, foreign);
+    }
+    let mut different = comparing.own(pixel)?;
     for (place, foreign) in matched {
         let parent = expected.rays[place].parent;
         if parent.is_some_and(|parent| is_wrong[parent]) {
@@ -158,7 +170,7 @@ impl Comparing<'_, '_> {
             if line.kind == Kind::Pixel {
                 self.on_their_window(line, &mut expected.fields);
             }
-            let how = self.how(line.kind, None, Purpose::Eye);
+            let how = self.how(line.kind, (None, None), Purpose::Eye);
             let quantities = self.quantities(line, &expected.fields, how)?;
             self.count(line, &quantities);
             if quantities.iter().any(|of| !of.is_same) {
@@ -194,14 +206,41 @@ impl Comparing<'_, '_> {
         }
     }
 
-    fn how(&self, kind: Kind, on: Option<&OnRay>, purpose: Purpose) -> How {
+    /// A ray that starts beside its point, since it was moved by ε, hits beside it too, and so does what starts there.
+    fn allow(&mut self, place: usize, foreign: &ForeignRay) {
+        let own = &self.expected.rays[place];
+        let before = own.parent.map_or(0.0, |parent| self.slack[parent]);
+        let moved = foreign
+            .start()
+            .and_then(|line| line.fields.vector("origin"))
+            .map_or(0.0, |origin| origin.distance(own.start.ray.origin));
+        let moved = if moved <= OFFSET * own.start.ray.origin.length().max(1.0) {
+            AMPLIFIED * moved
+        } else {
+            0.0
+        };
+        self.slack[place] = before.max(moved);
+    }
+
+    /// How far the numbers of a ray may differ; those of the pixel's colour if it is none.
+    fn tolerance(&self, ray: Option<usize>) -> f64 {
+        let slack = match ray {
+            Some(ray) => self.slack[ray],
+            None => self.slack.iter().copied().fold(0.0, f64::max),
+        };
+        self.options.tolerance + slack
+    }
+
+    fn how(&self, kind: Kind, (ray, on): (Option<usize>, Option<&OnRay>), purpose: Purpose) -> How {
         How {
             kind,
-            tolerance: self.options.tolerance,
+            tolerance: self.tolerance(ray),
+            // all that a ray spawns is in its colour
+            colour: self.tolerance(None).max(COLOUR),
             length: on.map_or(1.0, |on| on.length),
             nearest: on.and_then(|on| {
-                on.nearest
-                    .or(Some(on.range.max).filter(|max| max.is_finite()))
+                let end = Some(on.range.max).filter(|max| max.is_finite());
+                on.nearest.map(|hit| hit.t).or(end)
             }),
             is_shadow: purpose == Purpose::Shadow,
         }
@@ -289,7 +328,7 @@ impl Comparing<'_, '_> {
         if let Some(line) = foreign.start().filter(|line| self.is_asked(line.kind)) {
             let start = expected.events.iter().find(|of| of.kind() == Kind::Ray);
             if let Some(start) = start {
-                let quantities = self.start(line, start, purpose)?;
+                let quantities = self.start(line, start, (place, purpose))?;
                 self.count(line, &quantities);
                 if quantities.iter().any(|of| !of.is_same) {
                     let different = Compared {
@@ -327,10 +366,11 @@ impl Comparing<'_, '_> {
             *nth += 1;
             let mut best: Option<Compared<'_>> = None;
             for (at, on) in contexts.iter().enumerate() {
-                let Some(event) = event_of(line, expected, on, place_of_kind) else {
+                let Some(event) = event_of(self.reference, line, expected, on, place_of_kind)
+                else {
                     continue;
                 };
-                let how = self.how(line.kind, Some(on), purpose);
+                let how = self.how(line.kind, (Some(place), Some(on)), purpose);
                 let quantities = self.quantities(line, &event.fields, how)?;
                 let is_same = quantities.iter().all(|of| of.is_same);
                 // of several the log's own ray is the last one
@@ -365,21 +405,26 @@ impl Comparing<'_, '_> {
         &self,
         line: &Line,
         start: &Expected,
-        purpose: Purpose,
+        (place, purpose): (usize, Purpose),
     ) -> Result<Vec<Quantity>, CheckError> {
-        let how = self.how(Kind::Ray, None, purpose);
+        let how = self.how(Kind::Ray, (Some(place), None), purpose);
         let mut quantities = self.quantities(line, &start.fields, how)?;
-        let mut allowed = self.options.tolerance;
+        // what moved the point where it starts
+        let parent = self.expected.rays[place].parent;
+        let tolerance = parent.map_or(self.options.tolerance, |parent| {
+            self.tolerance(Some(parent))
+        });
+        let mut allowed = tolerance;
         if let (Some(yours), Some(origin)) =
             (line.fields.vector("origin"), start.fields.vector("origin"))
         {
             let most = match purpose {
-                Purpose::Eye => self.options.tolerance,
-                _ => OFFSET,
+                Purpose::Eye => tolerance,
+                _ => OFFSET + tolerance,
             };
             let size = origin.length().max(1.0);
             let off = yours.distance(origin);
-            let is_same = off <= most.max(self.options.tolerance) * size;
+            let is_same = off <= most * size;
             quantities
                 .iter_mut()
                 .filter(|of| of.key == "origin")
@@ -430,12 +475,21 @@ impl Comparing<'_, '_> {
                 .map_or(&[], |(all, _)| &contexts[all.clone()]),
             yours: &of.line.fields,
             key: &key,
-            tolerance: self.options.tolerance,
+            tolerance: self.tolerance(of.ray),
             differs: wrong.is_some(),
             is_endless: false,
         };
         let first = self.checked.divergence.as_ref();
-        if first.is_some_and(|first| first.kind != of.line.kind) {
+        let purpose = of
+            .ray
+            .map(|ray| self.expected.rays[ray].start.purpose.word());
+        let is_other = |first: &Divergence| {
+            // rays are aimed by another function for each purpose
+            let is_aimed = of.line.kind == Kind::Ray;
+            first.kind != of.line.kind
+                || is_aimed && purpose.is_some_and(|purpose| !first.ray.starts_with(purpose))
+        };
+        if first.is_some_and(is_other) {
             return;
         }
         if first.is_none() || !suspects::is_on_start(&situation) {

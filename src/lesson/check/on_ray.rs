@@ -2,6 +2,7 @@
 
 use crate::geometry::{Ray, TRange};
 use crate::lesson::check::reference::{Expected, Reference};
+use crate::strategy::Hit;
 
 /// A ray on which tests are computed: that of the scene, or the log's own.
 pub(super) struct OnRay {
@@ -10,8 +11,8 @@ pub(super) struct OnRay {
     /// The length of its direction.
     pub(super) length: f64,
     pub(super) tests: Vec<Expected>,
-    /// t of the nearest hit.
-    pub(super) nearest: Option<f64>,
+    /// The nearest hit.
+    pub(super) nearest: Option<Hit>,
 }
 
 impl OnRay {
@@ -24,7 +25,7 @@ impl OnRay {
         };
         Self {
             tests: reference.tests(&ray, range),
-            nearest: reference.nearest(&ray, range).map(|hit| hit.t),
+            nearest: reference.nearest(&ray, range),
             ray,
             range,
             length,

@@ -4,7 +4,7 @@ use crate::lesson::check::foreign::ForeignRay;
 use crate::lesson::check::line::Line;
 use crate::lesson::check::on_ray::OnRay;
 use crate::lesson::check::reference::{Expected, ExpectedPixel, ExpectedRay, Reference};
-use crate::lesson::check::value::Fields;
+use crate::lesson::check::value::{Fields, Value};
 use crate::trace::{Kind, Purpose};
 
 /// By how much the origin of a ray may lie beside the hit that it starts from, relative to the larger of 1 and its
@@ -75,6 +75,7 @@ fn lies_there(ray: &ForeignRay, expected: &ExpectedRay) -> bool {
 
 /// The event that a line tells, on a ray.
 pub(super) fn event_of(
+    reference: &Reference<'_, '_>,
     line: &Line,
     expected: &ExpectedRay,
     on: &OnRay,
@@ -100,25 +101,35 @@ pub(super) fn event_of(
             Some(found)
         }
         Kind::Nearest => {
-            let mut nearest = expected
-                .events
-                .iter()
-                .filter(|of| of.kind() == Kind::Nearest);
-            if let Some(last) = nearest.next_back() {
-                return Some(last.clone());
+            let last = |kind| expected.events.iter().rfind(move |of| of.kind() == kind);
+            let mut found = last(Kind::Nearest).or(last(Kind::RayEnd))?.clone();
+            found.fields = Fields::default();
+            with_hit(&mut found.fields, reference, on);
+            Some(found)
+        }
+        Kind::RayEnd => {
+            let mut found = expected.events.iter().find(of_kind)?.clone();
+            if found.fields.get("t").is_some() {
+                found
+                    .fields
+                    .0
+                    .retain(|(key, _)| !["object", "t"].contains(&key.as_str()));
+                with_hit(&mut found.fields, reference, on);
             }
-            // nothing is hit: neither object nor t
-            let end = expected
-                .events
-                .iter()
-                .find(|of| of.kind() == Kind::RayEnd)?;
-            Some(Expected {
-                fields: Fields::default(),
-                ..end.clone()
-            })
+            Some(found)
         }
         _ => expected.events.iter().filter(of_kind).nth(nth).cloned(),
     }
+}
+
+/// What the ray hits first: the object and t.
+fn with_hit(fields: &mut Fields, reference: &Reference<'_, '_>, on: &OnRay) {
+    let Some(hit) = on.nearest else {
+        return;
+    };
+    let name = reference.name(hit.object).to_owned();
+    fields.0.push(("object".into(), Value::Text(name)));
+    fields.0.push(("t".into(), Value::Number(hit.t)));
 }
 
 /// A ray as a message names it.

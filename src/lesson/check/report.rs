@@ -99,7 +99,7 @@ impl Checked {
         if !self.beyond.is_empty() {
             let _ = writeln!(
                 text,
-                "  not here, so not compared: {}",
+                "  not compared, since this program has no such step there, or the ray cannot be told: {}",
                 counts(&self.beyond)
             );
         }

@@ -74,6 +74,9 @@ impl Suspects {
     }
 }
 
+/// How close what a wrong function gives must be to what a line has, in tolerances.
+const CLOSE: f64 = 3.0;
+
 /// What a wrong function says of a line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Said {
@@ -128,7 +131,16 @@ fn said_on_ray(mistake: &Mistake, situation: &Situation<'_, '_>) -> Said {
     };
     let yours = situation.yours;
     let of_key = |key: &str| match (wrong.get(key), yours.get(key)) {
-        (Some(wrong), Some(yours)) if yours.is(wrong, 10.0 * situation.tolerance) => Said::TheSame,
+        (Some(wrong), Some(yours)) if yours.is(wrong, CLOSE * situation.tolerance) => {
+            // where it changes nothing it explains nothing
+            let right = situation.expected.fields.get(key);
+            let changes = right.is_none_or(|right| !wrong.is(right, CLOSE * situation.tolerance));
+            if changes || !situation.differs {
+                Said::TheSame
+            } else {
+                Said::Nothing
+            }
+        }
         (Some(_), Some(_)) => Said::Otherwise,
         // no hit where the line has one
         (None, Some(_)) if ["t", "object"].contains(&key) => Said::Otherwise,
