@@ -23,9 +23,9 @@ const EXERCISE: &str = "LESSONS_EXERCISE";
 const SECONDS: &str = "LESSONS_SECONDS";
 /// A right function takes far less than one.
 const USUAL_SECONDS: u64 = 10;
-/// A process that waits takes no CPU time: it is ended after so many times its limit.
+/// A process that waits takes no CPU time: it ends when this many times its limit have passed.
 const WAITS: u32 = 3;
-/// More than so many bytes are a flood.
+/// More bytes of output than this are a flood.
 const FLOOD: usize = 8 << 20;
 /// What is kept of your own output, in bytes.
 const SHOWN: usize = 4000;

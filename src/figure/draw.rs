@@ -139,7 +139,7 @@ fn laid_out<'a>(
     let body = beside.map_or(body, |[left, _]| left);
     let description = (kind.draw)(&figure, &mut sheet, body)?;
     if let Some([_, right]) = beside {
-        // the picture tells what becomes of the pixel
+        // the picture shows the colour of the pixel
         sheet.at_last(|sheet| picture::beside(&figure, sheet, right))?;
     }
     Ok((figure, sheet, description))

@@ -38,7 +38,7 @@ pub enum SketchForm {
 pub struct SketchMark {
     /// What is drawn.
     pub form: SketchForm,
-    /// What stands beside it; nothing if empty.
+    /// The text beside it; empty if there is none.
     pub name: String,
 }
 

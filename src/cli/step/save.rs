@@ -16,7 +16,7 @@ use crate::cli::step::address::Words;
 use crate::cli::step::address_of;
 use crate::cli::word::word;
 
-/// So many drawings of one step are kept beside each other.
+/// The most drawings of one step that a folder keeps.
 const MOST: u32 = 999;
 
 /// Draws a step, writes the drawing into a new file of the current folder, and says which, with the command that makes it

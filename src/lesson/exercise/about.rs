@@ -1,9 +1,9 @@
-//! What is told of an exercise.
+//! The description of an exercise.
 
 use crate::explain::Part;
 use crate::trace::Kind;
 
-/// An exercise as it is told: all but its cases.
+/// The description of an exercise: all but its cases.
 #[derive(Debug)]
 pub struct About {
     /// The number of the lesson.

@@ -1,4 +1,4 @@
-//! Exercises: a student writes a function of the course, and is told which quantity went wrong first.
+//! Exercises: a student writes a function of the course, and learns which quantity went wrong first.
 //!
 //! A [`Task`] is the declaration of an exercise: what is asked for, the cases, the crate's own function, and which mistakes can
 //! be recognised. It is generic over what goes in and over the function, so that an exercise is data and no mechanism of its own.

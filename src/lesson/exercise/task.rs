@@ -15,7 +15,7 @@ use crate::mistake::{Mistake, Wrong, mistake};
 /// An exercise: `I` is what goes into a case, `F` the function that a student writes.
 #[derive(Debug)]
 pub struct Task<I: 'static, F> {
-    /// What is told of it.
+    /// Its description.
     pub about: About,
     /// The cases: those made by hand first, each with what is special in it, then seeded ones.
     pub cases: fn() -> Vec<Case<I>>,
@@ -65,7 +65,7 @@ pub struct Form<I> {
 
 /// An exercise of any kind.
 pub trait Exercise: Sync {
-    /// What is told of it.
+    /// Its description.
     fn about(&self) -> &About;
 
     /// The parts of the quantities that are compared.

@@ -14,7 +14,7 @@ use crate::trace::geometry_term;
 
 pub(super) static ALL: [&dyn Exercise; 3] = [&DIFFUSE_DIRECTION, &IRRADIANCE, &GEOMETRY_TERM];
 
-/// Each of the two numbers takes so many values, evenly spread: what depends on chance is then the same each time.
+/// How many values each of the two numbers takes, evenly spread: no chance is in it, so the average is the same each time.
 const STEPS: u32 = 64;
 /// Of an average over [`STEPS`]² directions: the edges of a region cut through some 2·[`STEPS`] of the cells.
 const WITHIN: f64 = 0.03;
