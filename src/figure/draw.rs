@@ -189,7 +189,11 @@ fn is_whole(spec: &FigureSpec, traced: &[Traced]) -> Result<(), FigureError> {
     let cut = |of: &&Traced| {
         let mut pixels = spec.traced_pixels().into_iter().chain([last]);
         let has_no_tests = spec.kind == FigureKind::Heat && of.of_pixels.tests.is_empty();
-        pixels.any(|pixel| !of.has_colour(pixel)) || of.paths().len() < paths || has_no_tests
+        let has_no_mistake = spec.kind == FigureKind::Mistake && of.of_pixels.mistake.is_none();
+        pixels.any(|pixel| !of.has_colour(pixel))
+            || of.paths().len() < paths
+            || has_no_tests
+            || has_no_mistake
     };
     let has_picture = traced[0].of_pixels.picture.is_some() || !spec.shows_picture();
     if traced.len() == variants && has_picture && !traced.iter().any(|of| cut(&of)) {

@@ -35,6 +35,9 @@ pub struct FigureSpec {
     /// The object that is drawn, by its name; usually the first that the ray is tested against.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub object: Option<String>,
+    /// The mistake that the figure shows, by its name.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub mistake: Option<String>,
     /// Which objects each ray is tested against.
     #[serde(default)]
     pub strategy: StrategyName,
@@ -121,6 +124,7 @@ impl FigureSpec {
             pixels: Vec::new(),
             ray: None,
             object: None,
+            mistake: None,
             strategy: StrategyName::default(),
             strategies: Vec::new(),
             volumes: Vec::new(),
@@ -193,6 +197,8 @@ pub enum FigureKind {
     Heat,
     /// The picture, the traced pixels marked.
     Picture,
+    /// The picture with a mistake beside the right one, and the quantity that differs.
+    Mistake,
 }
 
 /// A part of a figure that can be shown or left out.

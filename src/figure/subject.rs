@@ -31,6 +31,9 @@ impl<'a> Figure<'a> {
         if !self.spec.title.is_empty() {
             return self.spec.title.clone();
         }
+        if let Some(mistake) = &self.spec.mistake {
+            return format!("Mistake: {mistake}");
+        }
         let of = match self.scene.name.as_str() {
             "" => "the scene",
             name => name,

@@ -7,13 +7,14 @@ use crate::figure::{FigureError, FigureKind, FigureSpec, Traced};
 use crate::lesson::LessonError;
 use crate::lesson::error::too_many_rays;
 use crate::lesson::picture::trace_picture;
+use crate::mistake::{mistake, mistakes, shown};
 use crate::parallel;
-use crate::scene::Loaded;
+use crate::scene::{Loaded, Scene, nearest_name};
 use crate::strategy::{Chosen, Strategy};
 use crate::structure::{StructureOptions, VolumeKind};
 use crate::trace::{
-    Kind, Kinds, OfPixels, Off, Record, Recording, Region, Settings, Sink, StrategyName,
-    TestsOfRow, Through,
+    Kind, Kinds, LoggedMistake, LoggedPicture, OfPixels, Off, Record, Recording, Region, Settings,
+    Sink, StrategyName, TestsOfRow, Through,
 };
 use crate::tracer::{
     Heat, HeatLine, LightError, LightPass, Stopped, Tracer, check_light, paths_behind, trace_pixel,
@@ -136,7 +137,35 @@ pub fn trace_figure(
         let picture = trace_picture(&scene, spec, light.as_ref());
         first.of_pixels.picture = Some(picture.map_err(&wrong)?);
     }
+    if spec.kind == FigureKind::Mistake
+        && let Some((first, _)) = traced.first_mut()
+    {
+        let (picture, mistake) = mistaken(&scene, spec).map_err(&wrong)?;
+        first.of_pixels.picture = Some(picture);
+        first.of_pixels.mistake = Some(mistake);
+    }
     Ok(traced.into_iter().map(|(traced, _)| traced).collect())
+}
+
+/// The right picture, and what a mistake makes of it.
+fn mistaken(
+    scene: &Scene,
+    spec: &FigureSpec,
+) -> Result<(LoggedPicture, LoggedMistake), FigureError> {
+    let error = |what: String, fix: String| FigureError::new("mistake", what, fix);
+    let Some(name) = &spec.mistake else {
+        let fix = "add \"mistake\" with the name of one, such as \"first root always\"";
+        return Err(error("the figure names no mistake".into(), fix.into()));
+    };
+    let Some(mistake) = mistake(name) else {
+        let near = nearest_name(name, mistakes().map(|of| of.name));
+        let fix = near.map_or_else(
+            || "name one of the gallery, such as \"first root always\"".into(),
+            |near| format!("did you mean {near:?}?"),
+        );
+        return Err(error(format!("there is no mistake {name:?}"), fix));
+    };
+    shown(scene, mistake).map_err(|not| error(not.to_string(), "choose another scene".into()))
 }
 
 /// The strategies with the structures that a figure compares, or the one that it shows.

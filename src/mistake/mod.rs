@@ -18,6 +18,7 @@
 //!
 //! It leaves out what does not return at all, such as a walk that goes on beyond the last cell for ever.
 
+mod at_work;
 mod bound;
 mod epsilon;
 mod eye;
@@ -38,11 +39,15 @@ mod reflection;
 mod refraction;
 mod registry;
 mod root;
+mod searched;
 mod shade;
 mod shadow;
+mod shown;
 mod slab;
+mod spoil;
 mod wrong;
 
 pub use mistake::Mistake;
 pub use registry::{mistake, mistakes};
+pub use shown::{NotShown, shown};
 pub use wrong::{WalkOfCells, Wrong};

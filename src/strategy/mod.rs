@@ -27,7 +27,6 @@ pub use bounds::BoundedObjects;
 pub(crate) use by_name::Chosen;
 pub use exhaustive::Exhaustive;
 pub use grid::UniformGrid;
-#[cfg(test)]
 pub(crate) use grid::is_passed;
 pub use heap::HeapOrdered;
 pub use hierarchy::DepthFirst;

@@ -12,6 +12,7 @@ mod intervals;
 mod irradiance;
 mod line_of_t;
 mod merge;
+mod mistake;
 mod partition;
 mod paths;
 mod picture;
@@ -55,5 +56,6 @@ pub(super) fn kind(name: FigureKind) -> Kind {
         FigureKind::Costs => costs::KIND,
         FigureKind::Heat => heat::KIND,
         FigureKind::Picture => picture::KIND,
+        FigureKind::Mistake => mistake::KIND,
     }
 }

@@ -147,6 +147,16 @@ lessons! {
     "any-language/scene.json",
     "any-language/tracer.cpp",
     "any-language/tracer.py",
+    "gallery/backlit.json",
+    "gallery/ball.json",
+    "gallery/cloud.json",
+    "gallery/far.json",
+    "gallery/grid.json",
+    "gallery/lesson.json",
+    "gallery/mirrors.json",
+    "gallery/rows.json",
+    "gallery/scene.json",
+    "gallery/sun.json",
 }
 
 #[cfg(test)]

@@ -1,10 +1,11 @@
-//! What the log of a figure holds of every pixel, on lines between the objects and the events: the picture, and how many
-//! tests each pixel took.
+//! What the log of a figure holds of every pixel, on lines between the objects and the events: the picture, how many tests
+//! each pixel took, and what a mistake makes of the picture.
 //!
 //! An event for each pixel of a picture of 256 × 192 would take 5 MB; the picture as PNG takes 30 kB.
 
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD as BASE64;
+use glam::DVec3;
 use serde::{Deserialize, Serialize};
 
 use crate::trace::log::png_bytes::Channels;
@@ -32,13 +33,84 @@ pub struct TestsOfRow {
     pub cells: Vec<u64>,
 }
 
+/// What a mistake spoils in the picture of a scene: the simple ray tracer with one wrong function.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LoggedMistake {
+    /// The name of the mistake.
+    pub name: String,
+    /// The first pixel that shows it, row by row from the top left: its column and row.
+    pub pixel: [u32; 2],
+    /// Quantities of that pixel's rays and of the picture that differ.
+    pub spoilt: Vec<Spoilt>,
+    /// The picture with the mistake; absent if it is the right one.
+    pub picture: Option<LoggedPicture>,
+}
+
+/// A quantity as it should be, and as a mistake makes it.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields)]
+pub struct Spoilt {
+    /// Its name.
+    pub quantity: String,
+    /// The right value.
+    pub right: SpoiltValue,
+    /// The value with the mistake.
+    pub wrong: SpoiltValue,
+}
+
+/// The value of a quantity: JSON has no infinite number, so that is a word.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(untagged)]
+pub enum SpoiltValue {
+    /// A finite number.
+    Number(f64),
+    /// A point, a direction or a colour.
+    Vector([f64; 3]),
+    /// Anything else: "blocked", "∞".
+    Words(String),
+}
+
+impl From<f64> for SpoiltValue {
+    fn from(of: f64) -> Self {
+        if of.is_finite() {
+            Self::Number(of)
+        } else if of.is_nan() {
+            Self::Words("no number".into())
+        } else if of < 0.0 {
+            Self::Words("−∞".into())
+        } else {
+            Self::Words("∞".into())
+        }
+    }
+}
+
+impl From<DVec3> for SpoiltValue {
+    fn from(of: DVec3) -> Self {
+        if of.is_finite() {
+            Self::Vector(of.to_array())
+        } else {
+            Self::Words("no numbers".into())
+        }
+    }
+}
+
+impl From<&str> for SpoiltValue {
+    fn from(of: &str) -> Self {
+        Self::Words(of.into())
+    }
+}
+
 /// What a log holds of every pixel.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct OfPixels {
     /// The picture, if the figure shows one.
     pub picture: Option<LoggedPicture>,
     /// A row of the scene's pixels after the other, from the top, if the figure shows what they cost; else none.
     pub tests: Vec<TestsOfRow>,
+    /// What a mistake makes of it, if the figure shows one.
+    pub mistake: Option<LoggedMistake>,
 }
 
 /// A line that holds the picture.
@@ -73,14 +145,81 @@ pub(super) struct TestsLine {
     cells: Vec<u64>,
 }
 
+/// A line that holds what a mistake spoils.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields)]
+pub(super) struct MistakeLine {
+    /// `mistake`.
+    kind: String,
+    /// The name of the mistake.
+    name: String,
+    /// The first pixel that shows it.
+    first: [u32; 2],
+    /// Quantities that differ.
+    spoilt: Vec<Spoilt>,
+    /// The picture with the mistake, as PNG like that of the line before; absent if it is the right one.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    png: Option<String>,
+}
+
+impl LoggedMistake {
+    /// As a line of a log.
+    pub(super) fn line(&self) -> MistakeLine {
+        MistakeLine {
+            kind: "mistake".into(),
+            name: self.name.clone(),
+            first: self.pixel,
+            spoilt: self.spoilt.clone(),
+            png: self.picture.as_ref().map(LoggedPicture::png),
+        }
+    }
+
+    /// From a line of the log of a scene with so many pixels.
+    ///
+    /// # Errors
+    /// A pixel that is not in the picture, or data that are no such picture.
+    pub(super) fn of_line(line: MistakeLine, of_scene: [u32; 2]) -> Result<Self, String> {
+        let [[x, y], [width, height]] = [line.first, of_scene];
+        if width <= x || height <= y {
+            return Err(format!(
+                "pixel {x},{y} is not in the picture of {width} × {height} pixels"
+            ));
+        }
+        let picture = line.png.map(|png| LoggedPicture::of_png(&png, of_scene, 1));
+        Ok(Self {
+            name: line.name,
+            pixel: line.first,
+            spoilt: line.spoilt,
+            picture: picture.transpose()?,
+        })
+    }
+}
+
 impl LoggedPicture {
+    /// As PNG in base64.
+    fn png(&self) -> String {
+        BASE64.encode(encoded(self.pixels, Channels::Rgb, &self.rgb))
+    }
+
+    /// From a PNG in base64.
+    fn of_png(png: &str, pixels: [u32; 2], samples: u32) -> Result<Self, String> {
+        let png = BASE64.decode(png);
+        let png = png.map_err(|error| format!("\"png\" is not base64: {error}"))?;
+        Ok(Self {
+            pixels,
+            samples,
+            rgb: decoded_rgb(&png, pixels)?,
+        })
+    }
+
     /// As a line of a log.
     pub(super) fn line(&self) -> PictureLine {
         PictureLine {
             kind: "picture".into(),
             pixels: self.pixels,
             samples: self.samples,
-            png: BASE64.encode(encoded(self.pixels, Channels::Rgb, &self.rgb)),
+            png: self.png(),
         }
     }
 
@@ -100,13 +239,7 @@ impl LoggedPicture {
         if line.samples == 0 {
             return Err("a picture has at least 1 sample for each pixel".into());
         }
-        let png = BASE64.decode(&line.png);
-        let png = png.map_err(|error| format!("\"png\" is not base64: {error}"))?;
-        Ok(Self {
-            pixels,
-            samples: line.samples,
-            rgb: decoded_rgb(&png, pixels)?,
-        })
+        Self::of_png(&line.png, pixels, line.samples)
     }
 }
 
@@ -180,6 +313,34 @@ mod tests {
         // the size in the line is not the picture's own
         let other = refused(&|line| line.pixels = [4, 8], [1, 2]);
         assert_eq!(other, "the PNG has 2 × 4 pixels, not 4 × 8");
+    }
+
+    #[test]
+    fn a_mistake_comes_back_from_its_line_with_what_is_no_number_in_words() {
+        let spoilt = |quantity: &str, right: SpoiltValue, wrong: SpoiltValue| Spoilt {
+            quantity: quantity.into(),
+            right,
+            wrong,
+        };
+        let mistake = LoggedMistake {
+            name: "first root always".into(),
+            pixel: [1, 3],
+            spoilt: vec![
+                spoilt("t", 2.0.into(), f64::NEG_INFINITY.into()),
+                spoilt("N", DVec3::X.into(), DVec3::NAN.into()),
+                spoilt("light", "blocked".into(), f64::NAN.into()),
+            ],
+            picture: Some(LoggedPicture {
+                samples: 1,
+                ..picture()
+            }),
+        };
+        let json = serde_json::to_string(&mistake.line()).unwrap();
+        assert!(json.contains(r#""right":2.0,"wrong":"−∞""#), "{json}");
+        let line: MistakeLine = serde_json::from_str(&json).unwrap();
+        assert_eq!(LoggedMistake::of_line(line, [2, 4]), Ok(mistake.clone()));
+        let refused = LoggedMistake::of_line(mistake.line(), [2, 3]).unwrap_err();
+        assert_eq!(refused, "pixel 1,3 is not in the picture of 2 × 3 pixels");
     }
 
     #[test]

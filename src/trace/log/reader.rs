@@ -11,7 +11,9 @@ use crate::trace::log::limits::Limits;
 use crate::trace::log::line_reader::{Damage, parse_event};
 use crate::trace::log::lines::LogLines;
 use crate::trace::log::name_table::NameTable;
-use crate::trace::log::of_pixels::{LoggedPicture, OfPixels, PictureLine, TestsLine, TestsOfRow};
+use crate::trace::log::of_pixels::{
+    LoggedMistake, LoggedPicture, MistakeLine, OfPixels, PictureLine, TestsLine, TestsOfRow,
+};
 use crate::trace::record::path_sieve::keep_paths_behind;
 use crate::trace::record::recorder::{Numbering, Place};
 use crate::trace::{Event, Kind, LogError, PathSieve, Record, Region, Settings, Sink};
@@ -212,6 +214,10 @@ fn read_of_pixels(
     if let Some(line) = next_of_kind::<PictureLine>(lines, "picture")? {
         let picture = LoggedPicture::of_line(&line, pixels);
         read.picture = Some(picture.map_err(|what| lines.damaged(Damage::new(what)))?);
+    }
+    if let Some(line) = next_of_kind::<MistakeLine>(lines, "mistake")? {
+        let mistake = LoggedMistake::of_line(line, pixels);
+        read.mistake = Some(mistake.map_err(|what| lines.damaged(Damage::new(what)))?);
     }
     while let Some(line) = next_of_kind::<TestsLine>(lines, "pixel_tests")? {
         let tests = TestsOfRow::of_line(line, read.tests.len(), pixels[0]);
