@@ -14,6 +14,7 @@ mod figures;
 mod grid_exact;
 mod index;
 mod layers;
+mod lesson_questions;
 mod mistakes;
 mod mutations;
 mod polygon_exact;

@@ -13,6 +13,7 @@ use raystep::lesson::{Dependency, course_files};
 use crate::cli::Error;
 use crate::cli::args::{LessonArgs, LessonVerb, ReportFormat};
 use crate::cli::output::Output;
+use crate::cli::quiz::Quiz;
 
 /// Does what is asked for.
 pub(crate) fn run(args: &LessonArgs) -> Result<ExitCode, Error> {
@@ -25,6 +26,20 @@ pub(crate) fn run(args: &LessonArgs) -> Result<ExitCode, Error> {
             exercise,
             depth,
         } => print(&hint(find(*lesson, exercise)?, *depth))?,
+        LessonVerb::Quiz {
+            lesson,
+            only,
+            script,
+            lessons,
+        } => {
+            let quiz = Quiz {
+                lesson: *lesson,
+                only,
+                script: script.as_deref(),
+                lessons: lessons.as_ref(),
+            };
+            quiz.run()?;
+        }
         LessonVerb::Check {
             lesson,
             exercise,

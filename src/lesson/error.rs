@@ -26,7 +26,7 @@ pub enum LessonError {
     Unknown {
         /// What was looked for.
         name: String,
-        /// `lesson` or `figure`.
+        /// `lesson`, `figure` or `question`.
         what: &'static str,
         /// A name that is there and like it.
         near: Option<String>,
@@ -39,6 +39,15 @@ pub enum LessonError {
         place: Box<Place>,
         /// What is wrong.
         error: FigureError,
+    },
+    /// A question that cannot be asked as its lesson says.
+    Question {
+        /// Where the lesson says it.
+        place: Box<Place>,
+        /// What is wrong.
+        what: String,
+        /// What to do.
+        fix: String,
     },
 }
 
@@ -78,6 +87,12 @@ impl fmt::Display for LessonError {
                 }
             }
             Self::Figure { place, error } => write!(f, "{place}: {error}"),
+            Self::Question { place, what, fix } => write!(
+                f,
+                "{place}: {}\n  {}",
+                what.replace(char::is_control, " "),
+                fix.replace(char::is_control, " ")
+            ),
         }
     }
 }
@@ -88,7 +103,7 @@ impl std::error::Error for LessonError {
             Self::Folder { source, .. } => source.as_ref().map(|source| source as _),
             Self::Load(error) => Some(error),
             Self::Log(error) => Some(error),
-            Self::Unknown { .. } => None,
+            Self::Unknown { .. } | Self::Question { .. } => None,
             Self::Figure { error, .. } => Some(error),
         }
     }

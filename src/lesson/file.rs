@@ -1,4 +1,4 @@
-//! The lesson file: a title, and the figures by name.
+//! The lesson file: a title, the figures by name, and the questions.
 
 use std::collections::BTreeMap;
 
@@ -9,6 +9,7 @@ use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
 use crate::figure::FigureSpec;
+use crate::lesson::question::QuestionSpec;
 #[cfg(feature = "schema")]
 use crate::trace::generator;
 
@@ -22,6 +23,9 @@ pub struct LessonFile {
     /// Its figures by name, drawn in the order of the names.
     #[serde(default)]
     pub figures: BTreeMap<String, FigureSpec>,
+    /// Its questions, in the order in which they are asked.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub questions: Vec<QuestionSpec>,
 }
 
 /// The JSON Schema (draft 2020-12) of a lesson file.

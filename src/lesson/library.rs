@@ -1,5 +1,6 @@
-//! The lessons of a folder, and their figures by name: `12-grid/walk`.
+//! The lessons of a folder, and their figures and questions by name: `12-grid/walk`.
 
+use std::collections::BTreeMap;
 use std::fmt;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -7,6 +8,7 @@ use std::str::FromStr;
 use std::sync::Arc;
 
 use crate::figure::{Drawn, FigureError, FigureSpec, Rendition, Traced, Width, draw};
+use crate::lesson::question::{Asked, Fault, QuestionSpec, ask};
 use crate::lesson::{LessonError, LessonFile, trace_figure};
 use crate::scene::{
     Files, LoadError, Loaded, Place, SchemaOf, line_of, load_bytes, nearest_name, parse_json,
@@ -136,6 +138,76 @@ impl Library {
             known: known.iter().map(ToString::to_string).collect(),
         })
     }
+
+    /// A question by the folder of its lesson and its name.
+    ///
+    /// # Errors
+    /// There is none of this name; one that is like it is named.
+    pub fn question(
+        &self,
+        lesson: &str,
+        name: &str,
+    ) -> Result<(&Lesson, &QuestionSpec), LessonError> {
+        let of = self.lessons.iter().find(|of| of.name == lesson);
+        let questions = of.map_or(&[][..], |of| &of.content.questions);
+        if let Some((of, question)) = of.zip(questions.iter().find(|of| of.name == name)) {
+            return Ok((of, question));
+        }
+        let names = |of: &Lesson| {
+            let questions = of.content.questions.iter();
+            questions
+                .map(|question| format!("{}/{}", of.name, question.name))
+                .collect::<Vec<_>>()
+        };
+        let known: Vec<String> = match of {
+            Some(of) => names(of),
+            None => self.lessons.iter().flat_map(names).collect(),
+        };
+        let whole = format!("{lesson}/{name}");
+        Err(LessonError::Unknown {
+            near: nearest_name(&whole, known.iter().map(String::as_str)),
+            name: whole,
+            what: "question",
+            known,
+        })
+    }
+
+    /// Asks a question: traces what it is about, and computes its answer and its choices.
+    ///
+    /// # Errors
+    /// There is none of this name, or it cannot be asked as the lesson says: where and why.
+    pub fn ask(&self, lesson: &str, name: &str) -> Result<Asked, LessonError> {
+        let (of, spec) = self.question(lesson, name)?;
+        self.ask_varied(of, spec, &BTreeMap::new())
+    }
+
+    /// Asks a question of a lesson that may have been varied: with another pixel, and with other values in its scene, by
+    /// their JSON pointers.
+    ///
+    /// # Errors
+    /// It cannot be asked so: where and why.
+    pub fn ask_varied(
+        &self,
+        lesson: &Lesson,
+        spec: &QuestionSpec,
+        values: &BTreeMap<String, serde_json::Value>,
+    ) -> Result<Asked, LessonError> {
+        let wrong = |fault: Fault| lesson.wrong_question(&spec.name, fault);
+        let folder = match &spec.lesson {
+            None => lesson,
+            Some(name) => self
+                .lessons
+                .iter()
+                .find(|of| of.name == *name)
+                .ok_or_else(|| {
+                    let what = format!("there is no lesson {name:?}");
+                    wrong(Fault::new("lesson", what, "name the folder of a lesson"))
+                })?,
+        };
+        let place = lesson.place(lesson.path_of_question(&spec.name, "scene"));
+        let loaded = folder.load_scene(&spec.scene, place)?;
+        ask(loaded, spec, values, &lesson.name).map_err(wrong)
+    }
 }
 
 impl Lesson {
@@ -162,6 +234,7 @@ impl Lesson {
             text,
             content,
         };
+        lesson.check_names()?;
         if let Some(wrong) = lesson.content.figures.keys().find(|name| !is_word(name)) {
             let what = format!("{wrong:?} is not a name for a figure");
             let error = FigureError::new("", what, "use letters a-z, digits and -");
@@ -180,10 +253,15 @@ impl Lesson {
     /// # Errors
     /// A scene that cannot be read, or lies outside of the lesson's folder, which is not allowed.
     pub fn load(&self, name: &str, spec: &FigureSpec) -> Result<Loaded, LessonError> {
-        let path = self.folder.path_of(&spec.scene);
+        self.load_scene(&spec.scene, self.place(format!("figures.{name}.scene")))
+    }
+
+    /// Reads a scene of this lesson. `place` says where it is named.
+    fn load_scene(&self, scene: &str, place: Place) -> Result<Loaded, LessonError> {
+        let path = self.folder.path_of(scene);
         let path = path.map_err(|_| LoadError::Outside {
-            place: self.place(format!("figures.{name}.scene")),
-            name: spec.scene.clone(),
+            place,
+            name: scene.into(),
         })?;
         let bytes = self.folder.read(&path)?;
         let folder = self.folder.around(&path);
@@ -247,6 +325,50 @@ impl Lesson {
         };
         let place = Box::new(self.place(path));
         LessonError::Figure { place, error }
+    }
+
+    /// The questions must have names, each its own.
+    fn check_names(&self) -> Result<(), LessonError> {
+        let names = self.content.questions.iter().map(|of| of.name.as_str());
+        let mut known: Vec<&str> = Vec::new();
+        for (place, name) in names.enumerate() {
+            let what = if !is_word(name) {
+                format!("{name:?} is not a name for a question")
+            } else if known.contains(&name) {
+                format!("the name {name:?} is there twice")
+            } else {
+                known.push(name);
+                continue;
+            };
+            return Err(LessonError::Question {
+                place: Box::new(self.place(format!("questions[{place}].name"))),
+                what,
+                fix: "use letters a-z, digits and -, each name once".into(),
+            });
+        }
+        Ok(())
+    }
+
+    /// The path of a key of a question in the file.
+    fn path_of_question(&self, name: &str, key: &str) -> String {
+        let mut questions = self.content.questions.iter();
+        let place = questions.position(|of| of.name == name).unwrap_or_default();
+        match key {
+            "" => format!("questions[{place}]"),
+            key => format!("questions[{place}].{key}"),
+        }
+    }
+
+    /// A mistake in a question, with its place in the file.
+    fn wrong_question(&self, name: &str, fault: Fault) -> LessonError {
+        match fault {
+            Fault::Load(error) => LessonError::Load(error),
+            Fault::Key { key, what, fix } => LessonError::Question {
+                place: Box::new(self.place(self.path_of_question(name, &key))),
+                what,
+                fix,
+            },
+        }
     }
 
     /// Where a value of the file stands.

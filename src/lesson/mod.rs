@@ -1,4 +1,4 @@
-//! The course's data: lesson files, the traces that their figures are drawn from, and the exercises.
+//! The course's data: lesson files, the traces that their figures are drawn from, the questions, and the exercises.
 
 pub mod check;
 mod compare;
@@ -9,6 +9,7 @@ mod file;
 pub(crate) mod library;
 mod own_figure;
 mod picture;
+pub mod question;
 #[cfg(feature = "files")]
 mod start;
 mod step_figure;
@@ -28,7 +29,7 @@ pub use library::Lesson;
 pub(crate) use library::Library;
 pub use own_figure::{own_figure, wrong_figure};
 #[cfg(feature = "files")]
-pub use start::{Dependency, course_files};
+pub use start::{Dependency, course, course_files};
 pub use step_figure::{StepFigure, StepFigures, StepStrokes};
 pub use thumbnail::{Thumbnail, thumbnail};
 pub use trace::trace_figure;

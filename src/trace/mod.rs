@@ -21,6 +21,7 @@ pub(crate) use log::Through;
 pub(crate) use log::Transport;
 #[cfg(feature = "schema")]
 pub(crate) use log::generator;
+pub(crate) use log::keys_of;
 pub(crate) use log::png_bytes;
 pub(crate) use log::{EventWriter, has_text, value_of, write_event};
 pub use log::{

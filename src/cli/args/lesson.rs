@@ -9,6 +9,7 @@ use clap::{Args as ClapArgs, Subcommand, ValueEnum};
 #[command(after_help = "Examples:
   raystep lesson start my-tracer
   raystep lesson show 04
+  raystep lesson quiz 04
   raystep lesson hint 04 roots
   raystep lesson check 04 roots")]
 pub(crate) struct LessonArgs {
@@ -46,6 +47,21 @@ pub(crate) enum LessonVerb {
         #[arg(long, value_name = "1|2|3", default_value_t = 1)]
         #[arg(value_parser = clap::value_parser!(u8).range(1..=3))]
         depth: u8,
+    },
+    /// Ask the questions of a lesson. After each answer every choice is shown with its reason.
+    Quiz {
+        /// Number of the lesson, such as 04
+        lesson: u8,
+        /// Ask this question alone; may be given several times
+        #[arg(long, value_name = "NAME")]
+        only: Vec<String>,
+        /// Answers with semicolons between them, such as 'b; a c; 2.5; skip'
+        #[arg(long, value_name = "ANSWERS")]
+        #[arg(allow_hyphen_values = true)]
+        script: Option<String>,
+        /// Folder of the lessons [default: this folder, or lessons in it, or the course as it came]
+        #[arg(long, value_name = "DIR")]
+        lessons: Option<PathBuf>,
     },
     /// Check the exercises: all, those of a lesson, or one.
     Check {

@@ -26,7 +26,7 @@ pub(super) fn event_schema(kind: Kind) -> Value {
 }
 
 /// The keys that a line of this kind may have.
-pub(super) fn keys_of(kind: Kind) -> Vec<String> {
+pub(crate) fn keys_of(kind: Kind) -> Vec<String> {
     described(kind)
         .properties
         .into_iter()

@@ -1,0 +1,123 @@
+//! The questions of the lessons: each is asked and answered, and what a lesson gets wrong is refused with its line.
+
+#[path = "lesson_questions/refused.rs"]
+mod refused;
+
+use std::collections::BTreeSet;
+use std::path::Path;
+
+use raystep::lesson::question::{Asked, Form, Given};
+use raystep::{Library, open_lessons};
+
+/// The lessons of the course.
+pub(crate) fn lessons() -> Library {
+    open_lessons(&Path::new(env!("CARGO_MANIFEST_DIR")).join("lessons")).unwrap()
+}
+
+/// Every question of the course.
+pub(crate) fn all(library: &Library) -> Vec<Asked> {
+    let mut asked = Vec::new();
+    for lesson in &library.lessons {
+        for question in &lesson.content.questions {
+            let of = library.ask(&lesson.name, &question.name);
+            asked.push(of.unwrap_or_else(|error| panic!("{error}")));
+        }
+    }
+    asked
+}
+
+#[track_caller]
+fn is_wrong(asked: &Asked, given: &Given) {
+    let judged = asked.answer(given);
+    assert!(!judged.right, "{}/{}: {given:?}", asked.lesson, asked.name);
+    assert!(
+        judged.reason.ends_with('.'),
+        "{}/{}: {}",
+        asked.lesson,
+        asked.name,
+        judged.reason
+    );
+}
+
+#[test]
+fn each_question_takes_its_right_answer_and_refuses_each_wrong_one_with_its_reason() {
+    for asked in all(&lessons()) {
+        let name = format!("{}/{}", asked.lesson, asked.name);
+        let right = asked.right();
+        assert!(asked.answer(&right).right, "{name}: {right:?}");
+        // as it is printed it is read again
+        let typed = asked.read(&asked.answer_text()).unwrap();
+        assert!(
+            asked.answer(&typed).right,
+            "{name}: {}",
+            asked.answer_text()
+        );
+        assert!(
+            asked
+                .read("nonsense!")
+                .unwrap_err()
+                .contains(&asked.accepts())
+        );
+
+        let choices = asked.form.choices();
+        let texts: BTreeSet<&str> = choices.iter().map(|of| of.text.as_str()).collect();
+        assert_eq!(texts.len(), choices.len(), "{name}");
+        for choice in choices {
+            assert!(choice.reason.ends_with('.'), "{name}: {}", choice.reason);
+        }
+        match &asked.form {
+            Form::Number(of) => {
+                is_wrong(&asked, &Given::Number(of.answer + 1.5 * of.tolerance));
+                for (value, choice) in &of.wrong {
+                    is_wrong(&asked, &Given::Number(*value));
+                    assert_eq!(asked.answer(&Given::Number(*value)).reason, choice.reason);
+                }
+            }
+            Form::Choice(_) | Form::Place(_) => {
+                assert_eq!(choices.iter().filter(|of| of.right).count(), 1, "{name}");
+                for (place, choice) in choices.iter().enumerate().filter(|(_, of)| !of.right) {
+                    is_wrong(&asked, &Given::Choice(place));
+                    assert_eq!(asked.answer(&Given::Choice(place)).reason, choice.reason);
+                }
+            }
+            Form::Several(_) => {
+                let Given::Several(places) = right else {
+                    panic!("{name}");
+                };
+                for place in 0..choices.len() {
+                    // one more, or one less
+                    let mut other = places.clone();
+                    if !other.remove(&place) {
+                        other.insert(place);
+                    }
+                    is_wrong(&asked, &Given::Several(other));
+                }
+            }
+            Form::Order(of) => {
+                let mut turned = of.order.clone();
+                turned.reverse();
+                is_wrong(&asked, &Given::Order(turned));
+                is_wrong(&asked, &Given::Order(of.order[1..].to_vec()));
+                for place in (0..choices.len()).filter(|place| !choices[*place].right) {
+                    let mut more = of.order.clone();
+                    more.push(place);
+                    is_wrong(&asked, &Given::Order(more));
+                }
+            }
+            Form::Blank(of) => {
+                for place in 0..of.answers.len() {
+                    let mut numbers: Vec<f64> = of.answers.iter().map(|of| of.0).collect();
+                    numbers[place] += 1.5 * of.answers[place].1 + 0.01;
+                    is_wrong(&asked, &Given::Blanks(numbers));
+                    assert!(
+                        of.lines
+                            .iter()
+                            .any(|line| line.contains(&format!("[{}]", place + 1)))
+                    );
+                }
+            }
+        }
+        assert!(!asked.working.is_empty(), "{name} has no working");
+        assert!(!asked.text.contains(['{', '}']), "{name}: {}", asked.text);
+    }
+}
