@@ -11,6 +11,7 @@ mod manners;
 mod own_figure;
 #[cfg(unix)]
 mod pipes;
+mod quiz;
 mod step;
 mod usual_strategy;
 

@@ -1,7 +1,11 @@
 //! The questions of the lessons: each is asked and answered, and what a lesson gets wrong is refused with its line.
 
+#[path = "lesson_questions/counts.rs"]
+mod counts;
 #[path = "lesson_questions/refused.rs"]
 mod refused;
+#[path = "lesson_questions/routes.rs"]
+mod routes;
 
 use std::collections::BTreeSet;
 use std::path::Path;

@@ -8,7 +8,7 @@ use std::process::{Command, ExitCode, Stdio};
 
 use raystep::explain::Part;
 use raystep::lesson::exercise::{About, Exercise, Report, exercises};
-use raystep::lesson::{Dependency, course_files};
+use raystep::lesson::{Dependency, course, course_files};
 
 use crate::cli::Error;
 use crate::cli::args::{LessonArgs, LessonVerb, ReportFormat};
@@ -19,7 +19,7 @@ use crate::cli::quiz::Quiz;
 pub(crate) fn run(args: &LessonArgs) -> Result<ExitCode, Error> {
     match &args.verb {
         LessonVerb::Start { dir, raystep } => start(dir, raystep.as_deref())?,
-        LessonVerb::List => print(&list())?,
+        LessonVerb::List => print(&list()?)?,
         LessonVerb::Show { lesson } => print(&show(*lesson)?)?,
         LessonVerb::Hint {
             lesson,
@@ -157,7 +157,7 @@ fn mark(about: &About) -> char {
     }
 }
 
-fn list() -> String {
+fn list() -> Result<String, Error> {
     let mut text = String::new();
     let widest = abouts().map(|about| about.name.chars().count()).max();
     let widest = widest.unwrap_or(0);
@@ -177,7 +177,14 @@ fn list() -> String {
         "\n{right} of {} right when they were last checked",
         abouts().count()
     );
-    text
+    let lessons = course()?.lessons;
+    let questions: usize = lessons.iter().map(|of| of.content.questions.len()).sum();
+    let _ = writeln!(
+        text,
+        "{questions} questions in {} lessons: raystep lesson quiz 01",
+        lessons.len()
+    );
+    Ok(text)
 }
 
 /// The folder of a lesson, as it is named in this folder or below it.
@@ -193,11 +200,21 @@ fn folder_of(lesson: u8) -> String {
     found.unwrap_or_else(|| format!("{number}…"))
 }
 
+/// How many questions a lesson of the course has.
+fn questions(lesson: u8) -> Result<usize, Error> {
+    let number = format!("{lesson:02}-");
+    let course = course()?;
+    let mut lessons = course.lessons.iter();
+    let found = lessons.find(|of| of.name.starts_with(&number));
+    Ok(found.map_or(0, |of| of.content.questions.len()))
+}
+
 fn show(lesson: u8) -> Result<String, Error> {
     let of_lesson = of_lesson(lesson)?;
     let mut text = format!(
-        "Lesson {lesson}: write in {}/exercise.rs\n",
-        folder_of(lesson)
+        "Lesson {lesson}: write in {}/exercise.rs\n{} questions: raystep lesson quiz {lesson:02}\n",
+        folder_of(lesson),
+        questions(lesson)?
     );
     for about in &of_lesson {
         let parts: Vec<&str> = about.parts.iter().map(|part| Part::name(*part)).collect();

@@ -168,7 +168,14 @@ fn ask(
             Some(Typed::Help) => say(&format!("{}\n", asked.accepts()), out)?,
             Some(Typed::Skip) => {
                 counts.skipped += 1;
-                say(&format!("skipped\n{}", told(asked, folder)), out)?;
+                say(
+                    &format!(
+                        "skipped; right is: {}\n{}",
+                        asked.answer_text(),
+                        told(asked, folder)
+                    ),
+                    out,
+                )?;
                 return Ok(true);
             }
             Some(Typed::Answer(text)) => match asked.read(&text) {

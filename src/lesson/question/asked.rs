@@ -340,7 +340,7 @@ impl Asked {
         }
     }
 
-    /// Every choice with its reason, one a line; of a number and of blanks the answer, then each wrong number.
+    /// Every choice with its reason, one a line; of an order first the right one, of a number and of blanks the answer first.
     pub fn reasons(&self) -> Vec<String> {
         let of_choice = |(place, choice): (usize, &AskedChoice)| {
             let letter = letter(place);
@@ -367,6 +367,14 @@ impl Asked {
                     format!("[{}] is {}.", place + 1, shown(*answer, DIGITS))
                 });
                 texts.chain([blank.reason.clone()]).collect()
+            }
+            Form::Order(order) => {
+                let is_right = |place: &usize| order.order.contains(place);
+                let others = (0..order.items.len()).filter(|place| !is_right(place));
+                let places = order.order.iter().copied().chain(others);
+                places
+                    .map(|place| of_choice((place, &order.items[place])))
+                    .collect()
             }
             form => form.choices().iter().enumerate().map(of_choice).collect(),
         }

@@ -10,42 +10,11 @@ use crate::lesson::question::facts::Facts;
 use crate::lesson::question::fault::Fault;
 use crate::lesson::question::kinds::{blank, choices, counterexample, number, order, reason, step};
 use crate::lesson::question::shuffled::Shuffle;
+use crate::lesson::question::situation::Situation;
 use crate::lesson::question::spec::{Ask, QuestionSpec, Selector};
 use crate::lesson::question::traced::{TracedPixel, chosen_one, edited, facts_of};
 use crate::scene::Loaded;
-use crate::step::{Address, StepLog, StepWords};
-use crate::trace::LogNames;
-
-/// A question with its trace, as each kind of answer needs it.
-pub(super) struct Situation<'a> {
-    pub(super) spec: &'a QuestionSpec,
-    pub(super) traced: &'a TracedPixel,
-    pub(super) names: LogNames,
-    /// The place of the event that it is about, among the records.
-    pub(super) event: usize,
-    pub(super) facts: Facts<'a>,
-    pub(super) shuffle: Shuffle,
-}
-
-impl Situation<'_> {
-    /// A text with its expressions filled in.
-    pub(super) fn filled(&self, key: &str, text: &str) -> Result<String, Fault> {
-        self.facts
-            .filled(text)
-            .map_err(|what| Fault::text(key, what))
-    }
-
-    /// The lines of the worked solution of the step, as they are.
-    pub(super) fn step_lines(&self) -> Vec<Line> {
-        let log = StepLog::new(
-            &self.traced.scene,
-            &self.traced.settings,
-            &self.traced.records,
-        );
-        let words = StepWords::new(&log);
-        words.of(&log, log.landing(self.event))
-    }
-}
+use crate::step::{Address, StepLog};
 
 /// Asks a question of a lesson.
 pub(in crate::lesson) fn ask(
@@ -72,15 +41,21 @@ pub(in crate::lesson) fn ask(
             "write what is asked",
         ));
     }
-    let after = match spec.change.is_empty() {
-        true => None,
-        false => Some(TracedPixel::new(changed(&loaded, &spec.change)?, spec)?),
+    let after = match (spec.change.is_empty(), spec.other_strategy) {
+        (true, None) => None,
+        (_, other) => {
+            let other = QuestionSpec {
+                strategy: other.unwrap_or(spec.strategy),
+                ..spec.clone()
+            };
+            Some(TracedPixel::new(changed(&loaded, &spec.change)?, &other)?)
+        }
     };
     let traced = TracedPixel::new(loaded, spec)?;
     let (event, mut facts) = facts(&traced, spec, "")?;
     if let Some(after) = &after {
         facts.after = Some(Box::new(
-            self::facts(after, spec, " in the changed scene")?.1,
+            self::facts(after, spec, " in the second trace")?.1,
         ));
     }
     let situation = Situation {
@@ -102,8 +77,8 @@ pub(in crate::lesson) fn ask(
         Ask::Program(of) => (None, order::program(&situation, of)?),
         Ask::Blank(of) => (None, blank::blank(&situation, of)?),
         Ask::Reason(_) => (None, reason::reason(&situation)?),
-        Ask::Step(_) => {
-            let (text, form) = step::step(&situation)?;
+        Ask::Step(of) => {
+            let (text, form) = step::step(&situation, of)?;
             (Some(text), form)
         }
         Ask::Counterexample(of) => (None, counterexample::counterexample(&situation, of)?),
@@ -177,5 +152,11 @@ fn facts<'a>(
         events.insert(name.clone(), facts_of(&traced.records[found], &names));
     }
     facts.events = events;
+    for record in traced.records.iter() {
+        *facts
+            .counts
+            .entry(record.event.kind().name())
+            .or_insert(0.0) += 1.0;
+    }
     Ok((event, facts))
 }

@@ -1,12 +1,15 @@
 //! Expressions over the fields of a trace: `-b - sqrt(b^2 - 4*a*c)`, `verdict = 'hit' and t < 5`.
 //!
 //! Numbers, words in single quotes, lists of numbers; + - * / ^, = != < <= > >=, and, or, not; `dot`, `cross`, `length`, `unit`,
-//! `sqrt`, `abs`, `min`, `max`, `floor`, `round`, `acos` in degrees, `has`. A name is looked up in the facts; `.x`, `.y` and `.z` are the first, second
+//! `sqrt`, `abs`, `min`, `max`, `floor`, `round`, `has`; `sin`, `cos`, `tan`, `asin`, `acos` in degrees. A name is looked up in the facts; `.x`, `.y` and `.z` are the first, second
 //! and third number of a list.
 
 use std::fmt;
 
 use crate::explain::shown;
+
+/// Numbers of a list that are smaller than this share of the largest are rounding: f64 has 16 digits.
+const ROUNDING: f64 = 1e-12;
 
 /// What an expression is.
 #[derive(Clone, Debug, PartialEq)]
@@ -95,7 +98,16 @@ impl Datum {
             Self::Flag(flag) => flag.to_string(),
             Self::Text(text) => crate::explain::printable(text),
             Self::List(list) => {
-                let items: Vec<String> = list.iter().map(|of| shown(*of, digits)).collect();
+                // what is left of a 0 by rounding is 0 beside the other numbers
+                let size = list.iter().fold(0.0, |size: f64, of| size.max(of.abs()));
+                let bare = |of: &f64| {
+                    if of.abs() <= ROUNDING * size {
+                        0.0
+                    } else {
+                        *of
+                    }
+                };
+                let items: Vec<String> = list.iter().map(|of| shown(bare(of), digits)).collect();
                 format!("({})", items.join(", "))
             }
             Self::Nothing => "none".into(),
@@ -381,6 +393,10 @@ fn called(name: &str, given: &[Datum]) -> Result<Datum, String> {
         "abs" => Datum::Number(number(0)?.abs()),
         "floor" => Datum::Number(number(0)?.floor()),
         "round" => Datum::Number(number(0)?.round()),
+        "sin" => Datum::Number(libm::sin(number(0)?.to_radians())),
+        "cos" => Datum::Number(libm::cos(number(0)?.to_radians())),
+        "tan" => Datum::Number(libm::tan(number(0)?.to_radians())),
+        "asin" => Datum::Number(libm::asin(number(0)?).to_degrees()),
         "acos" => Datum::Number(libm::acos(number(0)?).to_degrees()),
         "min" => Datum::Number(number(0)?.min(number(1)?)),
         "max" => Datum::Number(number(0)?.max(number(1)?)),

@@ -29,6 +29,8 @@ pub(super) struct Facts<'a> {
     pub(super) own: Option<EventFacts>,
     /// Events by names.
     pub(super) events: BTreeMap<String, EventFacts>,
+    /// How many events of each kind there are.
+    pub(super) counts: BTreeMap<&'static str, f64>,
     /// The facts of the changed scene.
     pub(super) after: Option<Box<Facts<'a>>>,
     /// The scene's file.
@@ -66,6 +68,13 @@ impl Names for Facts<'_> {
                     .ok_or("nothing is changed, so there is no \"after\"")?
                     .find(rest)
             }
+            ("count", Some(rest)) => match Kind::named(rest) {
+                Some(kind) => {
+                    let count = self.counts.get(kind.name());
+                    Ok(Datum::Number(count.copied().unwrap_or(0.0)))
+                }
+                None => Err(format!("there is no kind of event {rest:?}")),
+            },
             ("scene", Some(rest)) => {
                 let scene = self.scene.ok_or("there is no scene here")?;
                 let found = walked(scene, rest);

@@ -8,7 +8,7 @@
 //! spec       what lesson.json says           confusion, program   what is confused; lines to be put in order
 //!   ▶ traced    the pixel, traced; which events a selector chooses; the changed scene
 //!   ▶ facts     what names stand for, with expression; spoiled: what a wrong function returns instead
-//!   ▶ asking    the question with its facts ▶ kinds/ a file for each kind of answer; shuffled: the order of choices
+//!   ▶ asking    the question with its facts (situation) ▶ kinds/ a file for each kind of answer; shuffled: the order of choices
 //!   ▶ asked     text, choices with reasons, answer, working, and where the step is; whether an answer is right
 //! ```
 
@@ -21,6 +21,7 @@ mod fault;
 mod kinds;
 mod program;
 mod shuffled;
+mod situation;
 mod spec;
 mod spoiled;
 mod traced;

@@ -15,7 +15,8 @@ use crate::trace::{LightOptions, StrategyName, Through, Transport};
 /// A question of a lesson. The same name serves the command line, the book and the worksheets.
 ///
 /// Texts may hold expressions in braces, `{b^2 - 4*a*c}`: over the fields of the step that the question is about, of other
-/// steps by the names in `with`, and of the scene, `scene.objects.A.shape.sphere.radius`.
+/// steps by the names in `with`, and of the scene, `scene.objects.A.shape.sphere.radius`. `count.cell` is how many steps of a
+/// kind the pixel has.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(JsonSchema))]
 #[serde(deny_unknown_fields)]
@@ -24,7 +25,7 @@ pub struct QuestionSpec {
     pub name: String,
     /// The question, with the numbers that decide it.
     pub text: String,
-    /// The folder of an earlier lesson whose scene it is about; usually its own.
+    /// The folder of another lesson whose scene it is about; usually its own.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub lesson: Option<String>,
     /// The scene, by its file in the folder of the lesson.
@@ -50,6 +51,9 @@ pub struct QuestionSpec {
     /// traced too; its steps have the same names after `after`, as in `after.t`.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub change: BTreeMap<String, Value>,
+    /// A second strategy by which the same pixel is traced: its steps have the same names after `after`, too.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub other_strategy: Option<StrategyName>,
     /// The step that it is about: the fields of its event stand for themselves in expressions, as in `discriminant`.
     pub at: Selector,
     /// Other steps by names: their fields follow the name, as in `start.origin`.
@@ -285,7 +289,11 @@ pub struct Reason {}
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(JsonSchema))]
 #[serde(deny_unknown_fields)]
-pub struct Step {}
+pub struct Step {
+    /// What it is about, where a step has several questions: `dropped-axis`, `plane-t`, `inside` and so on; absent: the first.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub asks: Option<String>,
+}
 
 /// A pixel that shows that something may happen.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]

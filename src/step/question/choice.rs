@@ -56,6 +56,27 @@ impl Asks {
         Self::ZeroTerms,
         Self::TotalReflection,
     ];
+
+    /// Its word in the questions of lessons.
+    pub const fn word(self) -> &'static str {
+        match self {
+            Self::RootCount => "root-count",
+            Self::RootThatCounts => "root-that-counts",
+            Self::PlaneT => "plane-t",
+            Self::DroppedAxis => "dropped-axis",
+            Self::Inside => "inside",
+            Self::SlabThatEnds => "slab-that-ends",
+            Self::Bound => "bound",
+            Self::NextNode => "next-node",
+            Self::Pruned => "pruned",
+            Self::NextPlane => "next-plane",
+            Self::Mailbox => "mailbox",
+            Self::FinalHit => "final-hit",
+            Self::Blocked => "blocked",
+            Self::ZeroTerms => "zero-terms",
+            Self::TotalReflection => "total-reflection",
+        }
+    }
 }
 
 /// A choice of a question.

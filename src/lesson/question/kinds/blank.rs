@@ -2,8 +2,8 @@
 
 use crate::explain::shown;
 use crate::lesson::question::asked::{BlankForm, Form};
-use crate::lesson::question::asking::Situation;
 use crate::lesson::question::fault::Fault;
+use crate::lesson::question::situation::Situation;
 use crate::lesson::question::spec::Blank;
 
 /// Digits of a number in worked lines.

@@ -1,10 +1,10 @@
 //! One choice of several, all that are right, or a place of a figure.
 
 use crate::lesson::question::asked::{AskedChoice, Form};
-use crate::lesson::question::asking::Situation;
 use crate::lesson::question::facts::Facts;
 use crate::lesson::question::fault::Fault;
 use crate::lesson::question::kinds::wrong;
+use crate::lesson::question::situation::Situation;
 use crate::lesson::question::spec::{Choices, Each};
 use crate::lesson::question::traced::{chosen, facts_of};
 
@@ -80,7 +80,11 @@ fn all(key: &str, situation: &Situation<'_>, of: &Choices) -> Result<Vec<AskedCh
         let what = format!("there are {} choices", choices.len());
         return Err(Fault::new(key, what, format!("give 2 to {MOST}")));
     }
-    Ok(situation.shuffle.of(choices))
+    // steps stay in the order of the log: which one is right does not follow from their places
+    Ok(match of.each {
+        Some(_) => choices,
+        None => situation.shuffle.of(choices),
+    })
 }
 
 fn of_each(

@@ -1,9 +1,9 @@
 //! A pixel that shows that something may happen, found in the log of every pixel.
 
 use crate::lesson::question::asked::{AskedChoice, Form};
-use crate::lesson::question::asking::Situation;
 use crate::lesson::question::facts::{EventFacts, Facts};
 use crate::lesson::question::fault::Fault;
+use crate::lesson::question::situation::Situation;
 use crate::lesson::question::spec::Counterexample;
 use crate::lesson::question::traced::{chosen, facts_of};
 use crate::trace::Record;
@@ -91,6 +91,10 @@ fn witness<'a>(
     let mut found: Vec<(&String, Vec<EventFacts>)> = Vec::new();
     for (name, selector) in &of.of {
         let places = chosen(records, &situation.names, selector, &situation.facts)?;
+        let places = match selector.nth {
+            Some(nth) => places.into_iter().skip(nth).take(1).collect(),
+            None => places,
+        };
         let facts = places
             .into_iter()
             .map(|place| facts_of(&records[place], &situation.names));

@@ -2,10 +2,10 @@
 
 use crate::explain::shown;
 use crate::lesson::question::asked::{AskedChoice, Form, NumberForm};
-use crate::lesson::question::asking::Situation;
 use crate::lesson::question::facts::Facts;
 use crate::lesson::question::fault::Fault;
 use crate::lesson::question::kinds::wrong;
+use crate::lesson::question::situation::Situation;
 use crate::lesson::question::spec::{Number, WrongNumber};
 use crate::lesson::question::spoiled::spoiled;
 
@@ -14,6 +14,9 @@ const DIGITS: u32 = 6;
 
 /// An answer with three right digits is right.
 const USUAL_TOLERANCE: f64 = 5e-3;
+
+/// Numbers of the course are of the size of 1, and f64 has 16 digits.
+const ROUNDING: f64 = 1e-14;
 
 /// Two routes to the same number differ by rounding alone.
 const SAME: f64 = 1e-9;
@@ -65,7 +68,8 @@ fn computed(key: &str, situation: &Situation<'_>, of: &Number) -> Result<NumberF
         let value = facts.value(text).and_then(|value| value.number());
         let value = value.map_err(|what| Fault::text(key, what))?;
         if value.is_finite() {
-            return Ok(value);
+            // what is left of a 0 by rounding
+            return Ok(if value.abs() < ROUNDING { 0.0 } else { value });
         }
         Err(Fault::text(key, format!("{text:?} is no finite number")))
     };

@@ -1,10 +1,10 @@
 //! An order: of events as they happen, or of the lines of a program.
 
 use crate::lesson::question::asked::{AskedChoice, Form, OrderForm};
-use crate::lesson::question::asking::Situation;
 use crate::lesson::question::facts::Facts;
 use crate::lesson::question::fault::Fault;
 use crate::lesson::question::kinds::wrong;
+use crate::lesson::question::situation::Situation;
 use crate::lesson::question::spec::{Order, Program, Selector};
 use crate::lesson::question::traced::{chosen, facts_of};
 

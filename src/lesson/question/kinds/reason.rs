@@ -4,9 +4,9 @@ use serde_json::Value;
 
 use crate::explain::shown;
 use crate::lesson::question::asked::{AskedChoice, Form};
-use crate::lesson::question::asking::Situation;
 use crate::lesson::question::facts::Facts;
 use crate::lesson::question::fault::Fault;
+use crate::lesson::question::situation::Situation;
 use crate::trace::{Kind, Why};
 
 /// Digits of a number in a reason.
@@ -30,8 +30,8 @@ pub(in crate::lesson::question) fn reason(situation: &Situation<'_>) -> Result<F
         let right = why.word() == word;
         let (text, needs) = words(*why);
         let reason = match right {
-            true => format!("{facts} {}", capital(needs)),
-            false => format!("That needs another thing: {needs} {facts}"),
+            true => format!("{facts} So {needs}."),
+            false => format!("This is the reason if {needs}. {facts}"),
         };
         AskedChoice {
             text: text.into(),
@@ -73,41 +73,38 @@ fn words(why: Why) -> (&'static str, &'static str) {
     match why {
         Why::NoRoot => (
             "the equation has no real root",
-            "the discriminant is below 0.",
+            "the discriminant is below 0",
         ),
         Why::Empty => (
             "no t is inside all slabs",
-            "the largest near is above the smallest far.",
+            "the largest near is above the smallest far",
         ),
-        Why::Parallel => ("the ray is parallel", "the denominator is 0."),
-        Why::Missed => ("the ray passes by the volume", "no t is inside the volume."),
-        Why::Behind => (
-            "it lies behind the origin of the ray",
-            "every t of it is at most 0.",
-        ),
+        Why::Parallel => ("the ray is parallel", "the denominator is 0"),
+        Why::Missed => ("the ray passes by the volume", "no t is inside the volume"),
+        Why::Behind => ("it lies behind the origin of the ray", "its t is at most 0"),
         Why::BelowEpsilon => (
             "it is the surface on which the ray starts",
-            "its t is 0 but for rounding, which is below ε.",
+            "its t is 0 but for rounding, which is below ε",
         ),
         Why::BeyondNearest => (
             "it is further away than the nearest hit so far, or than the light",
-            "its t is above the last t that counts.",
+            "its t is above the last t that counts",
         ),
         Why::BackFace => (
             "the ray hits the back, and only the front can be seen",
-            "only the front of the surface can be seen.",
+            "only the front of the surface can be seen",
         ),
         Why::FrontFace => (
             "the ray hits the front, and only the back can be seen",
-            "only the back of the surface can be seen.",
+            "only the back of the surface can be seen",
         ),
         Why::BeyondEnds => (
             "the ray hits the endless cone beyond its base and its apex",
-            "the point lies beyond the base or the apex.",
+            "the point lies beyond the base or the apex",
         ),
         Why::Outside => (
             "the point lies outside of the polygon",
-            "an even number of edges counts.",
+            "an even number of edges counts",
         ),
     }
 }
@@ -140,13 +137,5 @@ fn found(kind: Kind, facts: &Facts<'_>) -> String {
             ("far", "far"),
         ]),
         _ => String::new(),
-    }
-}
-
-fn capital(text: &str) -> String {
-    let mut letters = text.chars();
-    match letters.next() {
-        Some(first) => first.to_uppercase().chain(letters).collect(),
-        None => String::new(),
     }
 }

@@ -1,32 +1,43 @@
 //! The question that the step asks before it shows its verdict.
 
 use crate::lesson::question::asked::{AskedChoice, Form};
-use crate::lesson::question::asking::Situation;
 use crate::lesson::question::fault::Fault;
-use crate::step::StepLog;
+use crate::lesson::question::situation::Situation;
+use crate::lesson::question::spec::Step;
+use crate::scene::nearest_name;
+use crate::step::{Asks, StepLog};
 
 /// Its text and its choices.
 pub(in crate::lesson::question) fn step(
     situation: &Situation<'_>,
+    of: &Step,
 ) -> Result<(String, Form), Fault> {
+    if let Some(word) = &of.asks
+        && Asks::ALL.iter().all(|asks| asks.word() != word)
+    {
+        let near = nearest_name(word, Asks::ALL.iter().map(|asks| asks.word()));
+        let fix = near.map_or("omit it".into(), |near| format!("did you mean {near:?}?"));
+        let what = format!("no step asks {word:?}");
+        return Err(Fault::new("ask.step.asks", what, fix));
+    }
     let traced = situation.traced;
     let log = StepLog::new(&traced.scene, &traced.settings, &traced.records);
-    let landing = log.landing(situation.event);
-    let mut steps = [log.leaf(situation.event), landing]
+    let event = situation.event;
+    let leaf = log.leaf(event);
+    // the event itself, and the steps that it leads or begins
+    let is_about =
+        |step: &usize| log.step(*step).lead == event || log.step(*step).events.start == event;
+    let above = log.above(leaf).filter(is_about);
+    let wanted = |asks: Asks| of.asks.as_ref().is_none_or(|word| asks.word() == word);
+    let question = [leaf]
         .into_iter()
-        .chain(log.above(landing));
-    let leads = |step: &usize| log.step(*step).lead == situation.event;
-    let is_about = |step: &usize| {
-        *step == landing || leads(step) || log.step(*step).events.start == situation.event
-    };
-    let question = steps
-        .by_ref()
-        .filter(is_about)
-        .find_map(|step| log.question(step));
+        .chain(above)
+        .filter_map(|step| log.question(step))
+        .find(|question| wanted(question.asks));
     let question = question.ok_or_else(|| {
         Fault::new(
             "at",
-            "this step asks no question",
+            "this step asks no such question",
             "choose another step, or write the choices",
         )
     })?;

@@ -1,8 +1,8 @@
 //! What a choice must have: a reason, words unlike those of others, a mistake that is known.
 
 use crate::lesson::question::asked::AskedChoice;
-use crate::lesson::question::asking::Situation;
 use crate::lesson::question::fault::Fault;
+use crate::lesson::question::situation::Situation;
 use crate::mistake::{Mistake, mistake};
 use crate::scene::nearest_name;
 
