@@ -177,7 +177,8 @@ fn list() -> Result<String, Error> {
         "\n{right} of {} right when they were last checked",
         abouts().count()
     );
-    let lessons = course()?.lessons;
+    let mut lessons = course()?.lessons;
+    lessons.retain(|of| !of.content.questions.is_empty());
     let questions: usize = lessons.iter().map(|of| of.content.questions.len()).sum();
     let _ = writeln!(
         text,

@@ -111,7 +111,11 @@ impl Quiz<'_> {
             .iter()
             .find(|of| of.name.starts_with(&number));
         found.ok_or_else(|| {
-            let known: Vec<&str> = library.lessons.iter().map(|of| of.name.as_str()).collect();
+            let with_questions = library
+                .lessons
+                .iter()
+                .filter(|of| !of.content.questions.is_empty());
+            let known: Vec<&str> = with_questions.map(|of| of.name.as_str()).collect();
             Error::Exercise {
                 what: format!("there is no lesson {}", self.lesson),
                 fix: format!("the lessons are {}", known.join(", ")),

@@ -204,6 +204,18 @@ impl Library {
                     wrong(Fault::new("lesson", what, "name the folder of a lesson"))
                 })?,
         };
+        if let Some(figure) = &spec.figure {
+            let found = figure.parse().map_err(|what| LessonError::Question {
+                place: Box::new(lesson.place(lesson.path_of_question(&spec.name, "figure"))),
+                what: format!("{figure:?} is no figure"),
+                fix: what,
+            });
+            self.find(&found?).map_err(|error| {
+                let what = error.to_string();
+                let (what, fix) = what.split_once("\n  ").unwrap_or((&what, "omit it"));
+                wrong(Fault::new("figure", what, fix))
+            })?;
+        }
         let place = lesson.place(lesson.path_of_question(&spec.name, "scene"));
         let loaded = folder.load_scene(&spec.scene, place)?;
         ask(loaded, spec, values, &lesson.name).map_err(wrong)

@@ -185,6 +185,9 @@ fn what_is_not_there_is_said_with_what_is_like_it() {
     let blank =
         question(json!({ "blank": { "take": ["t"], "lines": ["b = {b}"], "reason": "It is." } }));
     check(blank, "\"take\"", "which is in none of the lines");
+    let mut figure = number(json!([]));
+    figure["figure"] = json!("01-ball/roots");
+    check(figure, "\"figure\"", "there is no figure \"01-ball/roots\"");
     let reason = question(json!({ "reason": {} }));
     check(reason, "\"at\"", "nothing was rejected in it");
 }

@@ -207,3 +207,52 @@ fn most_numbers_are_confirmed_by_a_formula_of_their_own() {
         numbers.len()
     );
 }
+
+/// How many times an outline runs around a point, by the angles under which its edges are seen from there.
+fn winding(outline: &[glam::DVec2], point: glam::DVec2) -> f64 {
+    let ends = outline.iter().zip(outline.iter().cycle().skip(1));
+    let angles = ends.map(|(from, to)| (*from - point).angle_to(*to - point));
+    angles.sum::<f64>() / std::f64::consts::TAU
+}
+
+#[test]
+fn points_are_inside_a_polygon_if_its_outline_runs_around_them() {
+    let mut checked = 0;
+    for asked in all(&lessons()) {
+        let scene = &asked.traced.scene;
+        for record in asked.traced.records.iter() {
+            let Event::PolygonTest { object, test } = &record.event else {
+                continue;
+            };
+            let Shape::Polygon(polygon) = &scene.primitive(*object).shape else {
+                continue;
+            };
+            let around = winding(polygon.outline(), test.projected).abs();
+            assert_eq!(0.5 < around, test.inside, "{}: {around}", asked.name);
+            checked += 1;
+        }
+    }
+    assert!(60 < checked, "{checked}");
+}
+
+#[test]
+fn refracted_rays_have_the_angle_of_snells_law() {
+    let mut checked = 0;
+    for asked in all(&lessons()) {
+        for record in asked.traced.records.iter() {
+            let Event::Refraction(found) = &record.event else {
+                continue;
+            };
+            // n₁ sin θ₁ = n₂ sin θ₂
+            let sine = found.index_from / found.index_to * found.cos_incident.acos().sin();
+            assert_eq!(1.0 < sine, found.direction.is_none(), "{}", asked.name);
+            if sine <= 1.0 {
+                let cosine = sine.asin().cos();
+                let expected = found.cos_refracted_squared.sqrt();
+                assert!((cosine - expected).abs() < SAME, "{}", asked.name);
+            }
+            checked += 1;
+        }
+    }
+    assert!(20 < checked, "{checked}");
+}
