@@ -30,9 +30,10 @@ pub(in crate::lesson) fn ask(
             Fault::new(format!("change.{pointer}"), what, fix)
         })
     };
-    let loaded = match values.is_empty() {
-        true => loaded,
-        false => changed(&loaded, values)?,
+    let loaded = if values.is_empty() {
+        loaded
+    } else {
+        changed(&loaded, values)?
     };
     if spec.text.trim().is_empty() {
         return Err(Fault::new(

@@ -1,14 +1,18 @@
 //! What the wrong function of a mistake returns in place of an event's fields.
 
+use glam::DVec3;
 use serde_json::{Value, json};
 
-use crate::geometry::{Ray, TRange};
+use crate::geometry::{PolygonTest, Ray, Refraction, TRange};
 use crate::lesson::question::facts::EventFacts;
 use crate::lesson::question::traced::{TracedPixel, facts_of_event};
 use crate::mistake::{Mistake, Wrong};
-use crate::scene::Shape;
+use crate::scene::{PrimitiveId, Scene, Shape};
 use crate::strategy::Hit;
-use crate::trace::{Event, LightTerm, Purpose, RayEnd, RayStart, Record, Shade};
+use crate::trace::{
+    BoundTest, CellVisit, Event, LightTerm, PixelColour, PixelSample, Purpose, RayEnd, RayStart,
+    RayVerdict, Record, Shade,
+};
 use crate::tracer::Surface;
 use crate::tracer::simple::{self, Parts};
 
@@ -68,16 +72,46 @@ impl At<'_> {
 /// The fields of an event with what a mistake's wrong function returns in place of the right one; `None` if the function
 /// has no part in the event.
 pub(super) fn spoiled(mistake: &Mistake, traced: &TracedPixel, place: usize) -> Option<EventFacts> {
-    let record = &traced.records[place];
     let at = At {
         traced,
         place,
-        record,
+        record: &traced.records[place],
     };
-    let names = traced.names();
-    let whole = |event: Event| Some(facts_of_event(event, record, &names));
-    let with = |fields: &[(&str, Option<Value>)]| {
-        let mut facts = traced.facts(record);
+    match &at.record.event {
+        Event::SphereTest { object, .. } => at.sphere(&mistake.wrong, *object),
+        Event::PlaneTest { object, .. } => at.root(&mistake.wrong, *object),
+        Event::PolygonTest { object, test } => at.polygon(&mistake.wrong, *object, test),
+        Event::Pixel(sample) => at.window(&mistake.wrong, sample),
+        Event::Ray(start) => at.start(&mistake.wrong, start),
+        Event::RayEnd(_) => at.end(&mistake.wrong),
+        Event::Shade(shade) => at.shade(&mistake.wrong, shade),
+        Event::LightTerm(term) => at.light(&mistake.wrong, term),
+        Event::Refraction(right) => at.refraction(&mistake.wrong, right),
+        Event::PixelColour(_) => at.colour(&mistake.wrong),
+        Event::BoundTest(test) => at.bound(&mistake.wrong, test),
+        Event::Cell(visit) => at.cell(&mistake.wrong, visit),
+        _ => None,
+    }
+}
+
+fn vector(of: DVec3) -> Option<Value> {
+    Some(json!(of.to_array()))
+}
+
+impl At<'_> {
+    fn scene(&self) -> &Scene {
+        &self.traced.scene
+    }
+
+    /// The fields of another event in this one's place.
+    fn whole(&self, event: Event) -> Option<EventFacts> {
+        let names = self.traced.names();
+        Some(facts_of_event(event, self.record, &names))
+    }
+
+    /// The fields of this event, but for some.
+    fn with(&self, fields: &[(&str, Option<Value>)]) -> Option<EventFacts> {
+        let mut facts = self.traced.facts(self.record);
         let object = facts.fields.as_object_mut()?;
         for (key, value) in fields {
             match value {
@@ -86,168 +120,181 @@ pub(super) fn spoiled(mistake: &Mistake, traced: &TracedPixel, place: usize) -> 
             };
         }
         Some(facts)
-    };
-    let scene = &*traced.scene;
-    let wrong = &mistake.wrong;
-    let vector = |of: glam::DVec3| Some(json!(of.to_array()));
-    match (wrong, &record.event) {
-        (Wrong::SphereTest(test), Event::SphereTest { object, .. }) => {
-            let primitive = scene.primitive(*object);
-            let Shape::Sphere(sphere) = &primitive.shape else {
-                return None;
-            };
-            let (ray, range) = at.on()?;
-            let test = test(sphere, &ray, range, primitive.sides);
-            whole(Event::SphereTest {
-                object: *object,
-                test,
-            })
-        }
-        (Wrong::Root(_) | Wrong::Hit(_), Event::SphereTest { object, .. })
-        | (Wrong::PlaneT(_) | Wrong::Hit(_), Event::PlaneTest { object, .. }) => {
-            let primitive = scene.primitive(*object);
-            let (ray, range) = at.on()?;
-            let t = match (wrong, &primitive.shape) {
-                (Wrong::PlaneT(t), Shape::Polygon(polygon)) => {
-                    t(polygon, &ray, range, primitive.sides)
-                }
-                _ => wrong.hit(primitive, &ray, range),
-            };
-            with(&[("t", t.map(|t| json!(t)))])
-        }
-        (Wrong::Inside(inside), Event::PolygonTest { object, .. }) => {
-            let Shape::Polygon(polygon) = &scene.primitive(*object).shape else {
-                return None;
-            };
-            let (ray, range) = at.on()?;
-            let t = polygon.plane_test(&ray, range, scene.primitive(*object).sides);
-            with(&[("inside", Some(json!(inside(polygon, &ray, t.chosen()?))))])
-        }
-        (Wrong::DroppedAxis(axis), Event::PolygonTest { object, test }) => {
-            let Shape::Polygon(polygon) = &scene.primitive(*object).shape else {
-                return None;
-            };
-            let dropped = axis(polygon.plane().normal);
-            whole(Event::PolygonTest {
-                object: *object,
-                test: crate::geometry::PolygonTest { dropped, ..*test },
-            })
-        }
-        (Wrong::WindowPoint(point), Event::Pixel(sample)) => {
-            let point = scene.camera.cop + point(&scene.camera, sample.place.x, sample.place.y);
-            with(&[("point", vector(point))])
-        }
-        (Wrong::Normals(normals), Event::Shade(shade)) => {
-            let ray = at.ray()?;
-            let (end, _) = at.of_ray(record.ray);
-            let end = end?;
-            let hit = Hit {
-                object: end.object?,
-                t: end.t?,
-            };
-            let found = normals(&scene.primitive(shade.object).shape, shade.point);
-            let surface = Surface::new(scene, &ray.ray, ray.depth, hit, found);
-            with(&[("normal", vector(surface.normal))])
-        }
-        (Wrong::LightTerm(light_term), Event::LightTerm(right)) => {
-            let (_, shade) = at.of_ray(record.ray);
-            let shade = shade?;
-            let light = scene.lights.get(right.light as usize)?;
-            let term = light_term(
-                light,
-                scene.material_of(shade.object),
-                shade.point,
-                shade.normal,
-                -at.ray()?.ray.direction,
-            );
-            whole(Event::LightTerm(LightTerm { term, ..*right }))
-        }
-        (Wrong::Blocked(blocked), Event::RayEnd(end)) => {
-            let start = at.ray().filter(|start| start.purpose == Purpose::Shadow)?;
-            let is_blocked = blocked(scene, &start.ray, start.range);
-            let outcome = if is_blocked {
-                "blocked"
-            } else {
-                "reaches_light"
-            };
-            let object = end.object.filter(|_| is_blocked).map(|_| json!(true));
-            let mut fields = vec![("outcome", Some(json!(outcome)))];
-            if object.is_none() {
-                fields.extend([("object", None), ("t", None)]);
+    }
+
+    fn sphere(&self, wrong: &Wrong, object: PrimitiveId) -> Option<EventFacts> {
+        let primitive = self.scene().primitive(object);
+        match (wrong, &primitive.shape) {
+            (Wrong::SphereTest(test), Shape::Sphere(sphere)) => {
+                let (ray, range) = self.on()?;
+                let test = test(sphere, &ray, range, primitive.sides);
+                self.whole(Event::SphereTest { object, test })
             }
-            with(&fields)
+            (Wrong::Root(_), Shape::Sphere(_)) | (Wrong::Hit(_), _) => self.root(wrong, object),
+            _ => None,
         }
-        (Wrong::Reflect(_) | Wrong::Refract(_), Event::Ray(start)) => {
-            let parent = record.parent;
-            let (_, before) = at.start_of(parent)?;
-            let (_, shade) = at.of_ray(parent);
-            let normal = shade?.normal;
-            let direction = match (wrong, start.purpose) {
-                (Wrong::Reflect(reflect), Purpose::Reflected) => {
-                    reflect(before.ray.direction, normal)
-                }
-                _ => return None,
-            };
-            with(&[("direction", vector(direction))])
+    }
+
+    /// t of the hit with an object.
+    fn root(&self, wrong: &Wrong, object: PrimitiveId) -> Option<EventFacts> {
+        let primitive = self.scene().primitive(object);
+        let (ray, range) = self.on()?;
+        let t = match (wrong, &primitive.shape) {
+            (Wrong::PlaneT(t), Shape::Polygon(polygon)) => t(polygon, &ray, range, primitive.sides),
+            (Wrong::Root(_) | Wrong::Hit(_), _) => wrong.hit(primitive, &ray, range),
+            _ => return None,
+        };
+        self.with(&[("t", t.map(|t| json!(t)))])
+    }
+
+    fn polygon(
+        &self,
+        wrong: &Wrong,
+        object: PrimitiveId,
+        test: &PolygonTest,
+    ) -> Option<EventFacts> {
+        let primitive = self.scene().primitive(object);
+        let Shape::Polygon(polygon) = &primitive.shape else {
+            return None;
+        };
+        match wrong {
+            Wrong::Inside(inside) => {
+                let (ray, range) = self.on()?;
+                let t = polygon.plane_test(&ray, range, primitive.sides).chosen()?;
+                self.with(&[("inside", Some(json!(inside(polygon, &ray, t))))])
+            }
+            Wrong::DroppedAxis(axis) => {
+                let dropped = axis(polygon.plane().normal);
+                let test = PolygonTest { dropped, ..*test };
+                self.whole(Event::PolygonTest { object, test })
+            }
+            _ => None,
         }
-        (Wrong::Refract(refract), Event::Refraction(right)) => {
-            let (_, shade) = at.of_ray(record.ray);
-            let direction = at.ray()?.ray.direction;
-            let found = refract(direction, shade?.normal, right.index_from, right.index_to);
-            whole(Event::Refraction(found))
-        }
-        (Wrong::Normalised(normalised), Event::Ray(start)) => {
-            let camera = &scene.camera;
-            let sample = traced
-                .records
-                .iter()
-                .find_map(|record| match record.event {
+    }
+
+    fn window(&self, wrong: &Wrong, sample: &PixelSample) -> Option<EventFacts> {
+        let Wrong::WindowPoint(to_window) = wrong else {
+            return None;
+        };
+        let camera = &self.scene().camera;
+        let point = camera.cop + to_window(camera, sample.place.x, sample.place.y);
+        self.with(&[("point", vector(point))])
+    }
+
+    fn start(&self, wrong: &Wrong, start: &RayStart) -> Option<EventFacts> {
+        match (wrong, start.purpose) {
+            (Wrong::Reflect(reflect), Purpose::Reflected) => {
+                let (_, before) = self.start_of(self.record.parent)?;
+                let normal = self.of_ray(self.record.parent).1?.normal;
+                let direction = reflect(before.ray.direction, normal);
+                self.with(&[("direction", vector(direction))])
+            }
+            (Wrong::Normalised(normalised), Purpose::Eye) => {
+                let records = self.traced.records.iter();
+                let mut samples = records.filter_map(|record| match record.event {
                     Event::Pixel(sample) => Some(sample),
                     _ => None,
-                })?;
-            let before = Ray::new(camera.cop, sample.point - camera.cop);
-            let (_, t) = normalised(&before)?;
-            start.window_t?;
-            with(&[("t_window", Some(json!(t)))])
-        }
-        (Wrong::Bound(bound), Event::BoundTest(test)) => {
-            let (_, range) = at.on()?;
-            let verdict = bound(test.inside, range);
-            whole(Event::BoundTest(crate::trace::BoundTest {
-                verdict,
-                ..*test
-            }))
-        }
-        (Wrong::PlanesCrossed(crossed), Event::Cell(visit)) => {
-            let mut visit = *visit;
-            visit.step.across = crossed(visit.step.next);
-            whole(Event::Cell(visit))
-        }
-        (Wrong::NextPlane(next), Event::Cell(visit)) => {
-            let direction = at.ray()?.ray.direction.to_array();
-            let planes: [f64; 3] =
-                std::array::from_fn(|axis| f64::from(next(visit.step.cell[axis], direction[axis])));
-            with(&[("planes", Some(json!(planes)))])
-        }
-        (Wrong::Shade(_) | Wrong::Nearest(_) | Wrong::Normals(_), Event::PixelColour(_)) => {
-            let raw = simple::pixel(scene, wrong, traced.pixel);
-            whole(Event::PixelColour(crate::trace::PixelColour {
-                raw,
-                clamped: raw.clamp(glam::DVec3::ZERO, glam::DVec3::ONE),
-            }))
-        }
-        (_, Event::RayEnd(_)) if wrong.is_part() => {
-            let start = at.ray()?;
-            if start.purpose == Purpose::Shadow {
-                return None;
+                });
+                let cop = self.scene().camera.cop;
+                let before = Ray::new(cop, samples.next()?.point - cop);
+                let (_, t) = normalised(&before)?;
+                self.with(&[("t_window", Some(json!(t)))])
             }
-            let hit = wrong.nearest(scene, &start.ray, start.range);
-            let name = |hit: Hit| json!(scene.object_of(hit.object).name.as_str());
-            with(&[
-                ("t", hit.map(|hit| json!(hit.t))),
-                ("object", hit.map(name)),
-            ])
+            _ => None,
         }
-        _ => None,
+    }
+
+    /// What a ray hits, or whether a light is blocked.
+    fn end(&self, wrong: &Wrong) -> Option<EventFacts> {
+        let start = self.ray()?;
+        let scene = self.scene();
+        match (wrong, start.purpose) {
+            (Wrong::Blocked(blocked), Purpose::Shadow) => {
+                let is_blocked = blocked(scene, &start.ray, start.range);
+                let verdict = if is_blocked {
+                    RayVerdict::Blocked
+                } else {
+                    RayVerdict::ReachesLight
+                };
+                self.with(&[("outcome", Some(json!(verdict.word())))])
+            }
+            (_, Purpose::Shadow) => None,
+            _ if wrong.is_part() => {
+                let hit = wrong.nearest(scene, &start.ray, start.range);
+                let name = |hit: Hit| json!(scene.object_of(hit.object).name.as_str());
+                self.with(&[
+                    ("t", hit.map(|hit| json!(hit.t))),
+                    ("object", hit.map(name)),
+                ])
+            }
+            _ => None,
+        }
+    }
+
+    fn shade(&self, wrong: &Wrong, shade: &Shade) -> Option<EventFacts> {
+        let Wrong::Normals(normals) = wrong else {
+            return None;
+        };
+        let (start, end) = (self.ray()?, self.of_ray(self.record.ray).0?);
+        let hit = Hit {
+            object: end.object?,
+            t: end.t?,
+        };
+        let scene = self.scene();
+        let found = normals(&scene.primitive(shade.object).shape, shade.point);
+        let surface = Surface::new(scene, &start.ray, start.depth, hit, found);
+        self.with(&[("normal", vector(surface.normal))])
+    }
+
+    fn light(&self, wrong: &Wrong, right: &LightTerm) -> Option<EventFacts> {
+        let Wrong::LightTerm(light_term) = wrong else {
+            return None;
+        };
+        let shade = self.of_ray(self.record.ray).1?;
+        let scene = self.scene();
+        let term = light_term(
+            scene.lights.get(right.light as usize)?,
+            scene.material_of(shade.object),
+            shade.point,
+            shade.normal,
+            -self.ray()?.ray.direction,
+        );
+        self.whole(Event::LightTerm(LightTerm { term, ..*right }))
+    }
+
+    fn refraction(&self, wrong: &Wrong, right: &Refraction) -> Option<EventFacts> {
+        let Wrong::Refract(refract) = wrong else {
+            return None;
+        };
+        let normal = self.of_ray(self.record.ray).1?.normal;
+        let direction = self.ray()?.ray.direction;
+        let found = refract(direction, normal, right.index_from, right.index_to);
+        self.whole(Event::Refraction(found))
+    }
+
+    fn colour(&self, wrong: &Wrong) -> Option<EventFacts> {
+        if !wrong.is_part() {
+            return None;
+        }
+        let raw = simple::pixel(self.scene(), wrong, self.traced.pixel);
+        let clamped = raw.clamp(DVec3::ZERO, DVec3::ONE);
+        self.whole(Event::PixelColour(PixelColour { raw, clamped }))
+    }
+
+    fn bound(&self, wrong: &Wrong, test: &BoundTest) -> Option<EventFacts> {
+        let Wrong::Bound(bound) = wrong else {
+            return None;
+        };
+        let verdict = bound(test.inside, self.on()?.1);
+        self.whole(Event::BoundTest(BoundTest { verdict, ..*test }))
+    }
+
+    fn cell(&self, wrong: &Wrong, visit: &CellVisit) -> Option<EventFacts> {
+        let Wrong::PlanesCrossed(crossed) = wrong else {
+            return None;
+        };
+        let mut visit = *visit;
+        visit.step.across = crossed(visit.step.next);
+        self.whole(Event::Cell(visit))
     }
 }

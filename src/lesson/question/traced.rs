@@ -32,6 +32,9 @@ pub struct TracedPixel {
     pub(super) file: Value,
 }
 
+/// A pixel with its events.
+pub(super) type OfPixel = ([u32; 2], Vec<Record>);
+
 /// How a question is traced.
 pub(super) fn settings_of(spec: &QuestionSpec) -> Settings {
     Settings {
@@ -63,10 +66,7 @@ impl TracedPixel {
     }
 
     /// Every pixel of the picture, traced the same way, in rows from the top.
-    pub(super) fn all_pixels(
-        &self,
-        spec: &QuestionSpec,
-    ) -> Result<Vec<([u32; 2], Vec<Record>)>, Fault> {
+    pub(super) fn all_pixels(&self, spec: &QuestionSpec) -> Result<Vec<OfPixel>, Fault> {
         let [width, height] = self.scene.camera.pixels;
         let all: Vec<[u32; 2]> = (0..height)
             .flat_map(|y| (0..width).map(move |x| [x, y]))

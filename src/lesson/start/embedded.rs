@@ -25,9 +25,10 @@ impl Files for Embedded {
         let parts = Path::new(name).components();
         let is_inside =
             |part: Component<'_>| matches!(part, Component::Normal(_) | Component::CurDir);
-        match parts.clone().all(is_inside) {
-            true => Ok(self.folder.join(name)),
-            false => Err(IsOutside),
+        if parts.into_iter().all(is_inside) {
+            Ok(self.folder.join(name))
+        } else {
+            Err(IsOutside)
         }
     }
 

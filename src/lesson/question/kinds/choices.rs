@@ -76,7 +76,7 @@ fn all(key: &str, situation: &Situation<'_>, of: &Choices) -> Result<Vec<AskedCh
     if let Some(each) = &of.each {
         of_each(&format!("{key}.each"), situation, each, &mut choices)?;
     }
-    if choices.len() < 2 || MOST < choices.len() {
+    if !(2..=MOST).contains(&choices.len()) {
         let what = format!("there are {} choices", choices.len());
         return Err(Fault::new(key, what, format!("give 2 to {MOST}")));
     }
@@ -108,9 +108,10 @@ fn of_each(
         }
         let when = facts.value(&each.when).and_then(|value| value.flag());
         let right = when.map_err(|what| Fault::text(format!("{key}.when"), what))?;
-        let (part, reason) = match right {
-            true => ("reason", &each.reason),
-            false => ("otherwise", &each.otherwise),
+        let (part, reason) = if right {
+            ("reason", &each.reason)
+        } else {
+            ("otherwise", &each.otherwise)
         };
         let key = format!("{key}.{part}");
         let reason = with_it(&key, reason)?;

@@ -17,7 +17,7 @@ pub(in crate::lesson::question) fn events(
 ) -> Result<Form, Fault> {
     let mut items = labelled(situation, "ask.order", &of.of, &of.text, &of.reason, true)?;
     let count = items.len();
-    if count < 2 || MOST < count {
+    if !(2..=MOST).contains(&count) {
         return Err(Fault::new(
             "ask.order.of",
             format!("{count} steps are to be put in order"),

@@ -29,9 +29,10 @@ pub(in crate::lesson::question) fn reason(situation: &Situation<'_>) -> Result<F
     let choices = may_be(kind).iter().map(|why| {
         let right = why.word() == word;
         let (text, needs) = words(*why);
-        let reason = match right {
-            true => format!("{facts} So {needs}."),
-            false => format!("This is the reason if {needs}. {facts}"),
+        let reason = if right {
+            format!("{facts} So {needs}.")
+        } else {
+            format!("This is the reason if {needs}. {facts}")
         };
         AskedChoice {
             text: text.into(),
@@ -117,9 +118,10 @@ fn found(kind: Kind, facts: &Facts<'_>) -> String {
             number(key).map(|value| format!("{title} = {}", shown(value, DIGITS)))
         });
         let known: Vec<String> = known.collect();
-        match known.is_empty() {
-            true => String::new(),
-            false => format!("Here {}.", known.join(", ")),
+        if known.is_empty() {
+            String::new()
+        } else {
+            format!("Here {}.", known.join(", "))
         }
     };
     match kind {
