@@ -12,7 +12,7 @@ use raystep::{Folder, Library, Page};
 
 use crate::cli::Error;
 use crate::cli::output::Output;
-use crate::cli::step_command::step_command;
+use crate::cli::step_command::{figure_command, step_command};
 
 /// Which questions are asked, and where their answers come from.
 pub(crate) struct Quiz<'a> {
@@ -235,6 +235,9 @@ fn told(asked: &Asked, folder: &std::path::Path) -> String {
         }
     }
     let _ = writeln!(text, "To step to it: {}", step_command(asked, folder));
+    if let Some(figure) = &asked.figure {
+        let _ = writeln!(text, "Its figure: {}", figure_command(figure, folder));
+    }
     text
 }
 

@@ -1,4 +1,4 @@
-//! The command that leads to the step of a question.
+//! The commands that lead to the step of a question, and to its figure.
 
 use std::path::Path;
 
@@ -21,6 +21,23 @@ pub(crate) fn step_command(asked: &Asked, folder: &Path) -> String {
         words.push("--building".into());
     }
     words.extend(["--at".into(), step]);
+    let words: Vec<String> = words.iter().map(|word| quoted(word)).collect();
+    words.join(" ")
+}
+
+/// `raystep figure 04-sphere/graze -o graze.svg`
+pub(crate) fn figure_command(figure: &str, folder: &Path) -> String {
+    let file = figure.rsplit('/').next().unwrap_or(figure);
+    let mut words = vec!["raystep".into(), "figure".into(), figure.to_owned()];
+    if folder != Path::new("lessons") {
+        let folder = if folder == Path::new("") {
+            "."
+        } else {
+            &folder.to_string_lossy()
+        };
+        words.extend(["--lessons".into(), folder.into()]);
+    }
+    words.extend(["-o".into(), format!("{file}.svg")]);
     let words: Vec<String> = words.iter().map(|word| quoted(word)).collect();
     words.join(" ")
 }

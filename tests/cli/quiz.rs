@@ -101,6 +101,11 @@ fn lessons_of_a_folder_are_asked_and_the_command_leads_to_its_scenes() {
         .run(&format!("{} --script out", command.unwrap()))
         .well();
     assert!(text(stepped).contains("b² − 4ac"), "{command:?}");
+    let command = said
+        .lines()
+        .find_map(|line| line.strip_prefix("Its figure: raystep "));
+    folder.run(command.unwrap()).well();
+    assert!(folder.read("graze.svg").starts_with(b"<svg"));
 }
 
 #[test]

@@ -29,8 +29,10 @@ pub(in crate::lesson::question) fn reason(situation: &Situation<'_>) -> Result<F
     let choices = may_be(kind).iter().map(|why| {
         let right = why.word() == word;
         let (text, needs) = words(*why);
-        let reason = if right {
-            format!("{facts} So {needs}.")
+        let reason = if right && facts.is_empty() {
+            format!("It is so if {needs}.")
+        } else if right {
+            format!("{facts} So {text}.")
         } else {
             format!("This is the reason if {needs}. {facts}")
         };
