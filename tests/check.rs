@@ -1,5 +1,6 @@
 //! Logs of ray tracers in other languages, against what this one computes.
 
+use std::collections::BTreeMap;
 use std::fmt::Write as _;
 use std::fs::File;
 use std::io::Read;
@@ -18,7 +19,7 @@ use crate::cli::run::Folder;
 const SCENE: &str = include_str!("../lessons/any-language/scene.json");
 
 /// What the sample tracers can be planted with: the file of the log, and the mistake that is found.
-const PLANTED: [(&str, &str); 19] = [
+const PLANTED: [(&str, &str); 37] = [
     ("python-no-half", "no ½"),
     ("python-row-from-below", "row from below"),
     (
@@ -47,10 +48,36 @@ const PLANTED: [(&str, &str); 19] = [
     ("cpp-r-made-of-v", "R made of V"),
     ("cpp-first-light-only", "first light only"),
     ("cpp-first-root-always", "first root always"),
+    ("python-tan-of-the-whole-angle", "tan of the whole angle"),
+    ("python-degrees-for-radians", "degrees for radians"),
+    ("python-u-and-v-swapped", "u and v swapped"),
+    ("python-w-turned", "w turned"),
+    ("python-n-minus-1", "n − 1"),
+    ("python-aspect-twice", "aspect twice"),
+    ("python-not-divided-by-r", "not divided by r"),
+    ("python-ambient-in-the-loop", "ambient in the loop"),
+    ("python-no-shadow-ray", "no shadow ray"),
+    ("python-n-not-unit", "N not unit"),
+    ("python-d-turned", "D turned"),
+    ("python-limit-one-too-high", "limit one too high"),
+    ("python-limit-one-too-low", "limit one too low"),
+    ("python-background-at-the-limit", "background at the limit"),
+    ("python-stops-at-the-first-leaf", "stops at the first leaf"),
+    ("cpp-offset-to-the-wrong-side", "offset to the wrong side"),
+    ("colours-plus-2", "plus 2"),
+    ("colours-no-weight", "no weight"),
 ];
 
-fn scene() -> Scene {
-    load_bytes("scene.json", SCENE.as_bytes(), &NoFiles)
+/// The scene of a log: the sample's, with fewer rays or another order of the objects where that shows a mistake.
+fn scene(name: &str) -> Scene {
+    let mut scene: Value = serde_json::from_str(SCENE).unwrap();
+    if name.contains("limit") {
+        scene["max_depth"] = json!(2);
+    }
+    if name.contains("first-leaf") {
+        scene["objects"].as_array_mut().unwrap().reverse();
+    }
+    load_bytes("scene.json", scene.to_string().as_bytes(), &NoFiles)
         .unwrap()
         .build()
         .unwrap()
@@ -65,17 +92,20 @@ fn data(name: &str) -> Vec<u8> {
 }
 
 fn check_with(log: &[u8], tolerance: f64) -> Result<Checked, CheckError> {
-    let scene = scene();
+    check_in(&scene(""), log, tolerance)
+}
+
+fn check_in(scene: &Scene, log: &[u8], tolerance: f64) -> Result<Checked, CheckError> {
     let settings = Settings {
         strategy: StrategyName::Exhaustive,
         ..Settings::default()
     };
-    let chosen = Chosen::new(&scene, settings.strategy, &settings.structure).unwrap();
+    let chosen = Chosen::new(scene, settings.strategy, &settings.structure).unwrap();
     let options = CheckOptions {
         tolerance,
         ..CheckOptions::default()
     };
-    check_log(&scene, &[(&settings, &chosen)], "log", log, &options)
+    check_log(scene, &[(&settings, &chosen)], "log", log, &options)
 }
 
 fn check(log: &[u8]) -> Result<Checked, CheckError> {
@@ -121,12 +151,115 @@ fn right_tracers_of_two_forms_are_accused_of_nothing() {
     // 8 pixels, each with its point, its colour and at least a ray and 5 tests
     assert!(8 * 8 <= compared, "{compared}");
     is_right(&data("cpp-right"), 1e-5);
+    // the colours alone of one that starts its rays 10⁻⁴ beside their surfaces
+    is_right(&data("colours-right"), 1e-5);
+}
+
+/// a·t² + b·t + c = 0 has the same roots if it is divided by a: t² + (b/a)·t + c/a = 0. It was called a difference in a.
+#[test]
+fn a_quadratic_divided_by_a_is_no_mistake_but_an_a_that_was_forgotten_is_one() {
+    let divided = |log: &[u8], by: fn(f64) -> f64| {
+        each_line(log, |line| {
+            if line["kind"] == "sphere_test" {
+                let k = by(line["a"].as_f64().unwrap());
+                for (key, power) in [("a", 1), ("b", 1), ("c", 1), ("discriminant", 2)] {
+                    line[key] = json!(line[key].as_f64().unwrap() / k.powi(power));
+                }
+            }
+        })
+    };
+    // half b and another length of Δ; and directions of unit length
+    is_right(&divided(&data("cpp-right"), |a| a), 1e-5);
+    is_right(&divided(&data("python-right"), |_| -7.0), 1e-5);
+    // without a the line is still the same equation, without c too
+    for absent in ["a", "c", "discriminant"] {
+        let log = each_line(&divided(&data("cpp-right"), |a| a), |line| {
+            if line["kind"] == "sphere_test" {
+                line.as_object_mut().unwrap().remove(absent);
+            }
+        });
+        is_right(&log, 1e-5);
+    }
+    let forgotten = each_line(&data("cpp-right"), |line| {
+        if line["kind"] == "sphere_test" {
+            line["a"] = json!(1);
+        }
+    });
+    let divergence = check(&forgotten).unwrap().divergence.unwrap();
+    assert_eq!(divergence.quantities.last().unwrap().key, "a");
+}
+
+/// A misspelt field was passed over in silence.
+#[test]
+fn a_field_that_is_not_known_is_named_once_and_fails_nothing() {
+    let log = each_line(&data("python-right"), |line| {
+        if line["kind"] == "sphere_test" {
+            let fields = line.as_object_mut().unwrap();
+            let value = fields.remove("discriminant").unwrap();
+            fields.insert("disc".into(), value);
+            fields.insert("my own".into(), json!("\u{1b}[31m"));
+        }
+    });
+    let checked = is_right(&log, 1e-5);
+    let text = checked.text(&Named::default());
+    let notes: Vec<&str> = text.lines().filter(|line| line.contains("note:")).collect();
+    let count = checked.compared[&raystep::trace::Kind::SphereTest];
+    assert_eq!(
+        notes,
+        [
+            format!(
+                "  note: the field \"disc\" of sphere_test is not known and not compared ({count} lines, the first one is line 3); did you mean \"discriminant\"?"
+            ),
+            format!(
+                "  note: the field \"my own\" of sphere_test is not known and not compared ({count} lines, the first one is line 3)"
+            ),
+        ]
+    );
+    let json = checked.json(&Named::default());
+    assert_eq!(json["unknown"][0]["field"], "disc");
+    assert_eq!(json["unknown"][0]["near"], "discriminant");
+    // a log that makes up keys without end
+    let mut number = 0;
+    let log = each_line(&data("python-right"), |line| {
+        number += 1;
+        line[format!("key {number}")] = json!(1);
+    });
+    assert_eq!(is_right(&log, 1e-5).unknown.len(), 20);
+}
+
+/// Of two nested reflected rays without numbers the end of the outer one stands behind that of the inner one, and was taken
+/// for a second end of the inner one.
+#[test]
+fn the_end_of_a_ray_behind_that_of_a_deeper_one_belongs_to_the_ray_around_it() {
+    let folder = Folder::empty().with("scene.json", SCENE);
+    folder.run("trace scene.json -o own.jsonl").well();
+    let own = folder.read("own.jsonl");
+    is_right(&own, 1e-5);
+    let mut purposes: BTreeMap<(String, u64), Value> = BTreeMap::new();
+    let mut most_nested = 0;
+    let by_purpose = each_line(&own, |line| {
+        let Some(ray) = line["ray"].as_u64() else {
+            return;
+        };
+        let ray = (line["pixel"].to_string(), ray);
+        if line["kind"] == "ray" {
+            most_nested = most_nested.max(line["depth"].as_u64().unwrap());
+            purposes.insert(ray.clone(), line["purpose"].clone());
+        }
+        line["purpose"] = purposes[&ray].clone();
+        let fields = line.as_object_mut().unwrap();
+        fields.remove("ray");
+        fields.remove("parent");
+    });
+    assert_eq!(most_nested, 4);
+    is_right(&by_purpose, 1e-5);
 }
 
 #[test]
 fn each_planted_mistake_is_found_by_its_name() {
     for (name, expected) in PLANTED {
-        let checked = check(&data(name)).unwrap();
+        let checked = check_in(&scene(name), &data(name), 1e-5).unwrap();
+        assert!(checked.unknown.is_empty(), "{name}: {:?}", checked.unknown);
         let divergence = checked
             .divergence
             .as_ref()
@@ -306,6 +439,18 @@ fn a_line_that_makes_no_sense_is_told_with_its_number_and_what_to_do() {
     refused(
         &after(r#"{"kind":"sphere_test","pixel":[0,0],"object":"A","a":"1.0"}"#),
         "line 2: \"a\" has a word; it is a number\n  write it without quotation marks",
+    );
+    refused(
+        &after(r#"{"kind":"plane_test","pixel":[0,0],"object":"floor","verdict":"hitt"}"#),
+        "line 2: \"verdict\" has the word \"hitt\"\n  it is \"hit\" or \"rejected\"; did you mean \"hit\"?",
+    );
+    refused(
+        &after(r#"{"kind":"light_term","pixel":[0,0],"light":"lamp","visibility":"no"}"#),
+        "\"visibility\" has the word \"no\"\n  it is \"visible\", \"shadowed\" or \"faces_away\"",
+    );
+    refused(
+        &after(r#"{"kind":"polygon_test","pixel":[0,0],"object":"floor","dropped":"Y"}"#),
+        "it is \"x\", \"y\" or \"z\"",
     );
     let again = format!("{good}\n{}\n{good}\n", good.replace("[0,0]", "[1,0]"));
     refused(&again, "line 3: pixel 0,0 comes again");

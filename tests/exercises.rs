@@ -17,7 +17,11 @@ use raystep::mistake::{mistake, mistakes};
 use raystep::{Chosen, Settings, StrategyName, Tracer, load, record_pixel};
 
 /// Mistakes that no exercise can show, each with the reason.
-const NO_EXERCISE: [&str; 0] = [];
+const NO_EXERCISE: [&str; 2] = [
+    // the window is given: its height is no part of an exercise
+    "tan of the whole angle",
+    "degrees for radians",
+];
 
 fn lessons() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("lessons")

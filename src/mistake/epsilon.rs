@@ -5,7 +5,7 @@ use glam::DVec3;
 use crate::geometry::{Ray, TRange};
 use crate::mistake::{Mistake, Wrong};
 use crate::scene::{Primitive, Scene};
-use crate::tracer::simple::{Own, Parts, shade};
+use crate::tracer::simple::{Own, Parts};
 use crate::tracer::{EPSILON, Surface};
 
 pub(super) const MISTAKES: &[Mistake] = &[
@@ -31,7 +31,7 @@ pub(super) const MISTAKES: &[Mistake] = &[
         name: "offset to the wrong side",
         sentence: "The start of the ray is moved by ε against the normal, below the surface, so the ray hits the surface itself.",
         spoils: "blocked",
-        wrong: Wrong::Shade(offset_to_the_wrong_side),
+        wrong: Wrong::LeavesFrom(offset_to_the_wrong_side),
     },
 ];
 
@@ -50,13 +50,8 @@ fn in_t_of_an_unnormalised_ray(scene: &Scene, ray: &Ray, range: TRange) -> bool 
 }
 
 /// The offset takes the place of the smallest t.
-fn offset_to_the_wrong_side(scene: &Scene, parts: &Wrong, surface: &Surface<'_>) -> DVec3 {
-    let below = Surface {
-        point: surface.point - surface.epsilon * surface.across,
-        epsilon: 0.0,
-        ..*surface
-    };
-    shade(scene, parts, &below)
+fn offset_to_the_wrong_side(surface: &Surface<'_>) -> (DVec3, f64) {
+    (surface.point - surface.epsilon * surface.across, 0.0)
 }
 
 #[cfg(test)]
@@ -125,7 +120,7 @@ mod tests {
                 object("wall", "m", &wall(-5.0))
             ))
         };
-        let wrong = Wrong::Shade(offset_to_the_wrong_side);
+        let wrong = Wrong::LeavesFrom(offset_to_the_wrong_side);
         let shades = |light| {
             let scene = scene(light);
             [

@@ -42,6 +42,18 @@ pub(super) const MISTAKES: &[Mistake] = &[
         spoils: "point of the window",
         wrong: Wrong::WindowPoint(aspect_twice),
     },
+    Mistake {
+        name: "tan of the whole angle",
+        sentence: "The height of the window is 2·tan(fov) and not 2·tan(fov/2), so the picture shows too much.",
+        spoils: "point of the window",
+        wrong: Wrong::WindowPoint(tan_of_the_whole_angle),
+    },
+    Mistake {
+        name: "degrees for radians",
+        sentence: "The tangent is given the angle in degrees, although it takes radians.",
+        spoils: "point of the window",
+        wrong: Wrong::WindowPoint(degrees_for_radians),
+    },
 ];
 
 fn size(camera: &Camera) -> [f64; 2] {
@@ -81,6 +93,25 @@ fn aspect_twice(camera: &Camera, x: f64, y: f64) -> DVec3 {
     camera.to_window(middle + (x - middle) * width / height, y)
 }
 
+/// The window from its middle, with half its height at a distance of 1 computed from half the view angle in another way.
+///
+/// A window with its middle on the line of sight has tan(fov/2) = ½·height/distance.
+fn scaled(camera: &Camera, [x, y]: [f64; 2], half_height: fn(f64) -> f64) -> DVec3 {
+    let [width, height] = size(camera);
+    let middle = camera.to_window(0.5 * width, 0.5 * height);
+    let right = 0.5 * camera.up.length() / middle.length();
+    let factor = half_height(libm::atan(right)) / right;
+    middle + factor * (camera.to_window(x, y) - middle)
+}
+
+fn tan_of_the_whole_angle(camera: &Camera, x: f64, y: f64) -> DVec3 {
+    scaled(camera, [x, y], |half| libm::tan(2.0 * half))
+}
+
+fn degrees_for_radians(camera: &Camera, x: f64, y: f64) -> DVec3 {
+    scaled(camera, [x, y], |half| libm::tan(half.to_degrees()))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -118,6 +149,31 @@ mod tests {
         // the last of four columns, 1½ from the middle, and twice that
         assert_eq!(of(right, 4, [3.5, 0.5]), [1.5, 0.5, -1.0]);
         assert_eq!(of(aspect_twice, 4, [3.5, 0.5]), [3.0, 0.5, -1.0]);
+    }
+
+    #[test]
+    fn an_angle_taken_wrongly_makes_the_window_larger_around_its_middle() {
+        // half the height is 1 at a distance of 3: fov/2 = atan(1/3), and tan(fov) = 2·(1/3)/(1 − 1/9) = 3/4
+        let camera = Camera {
+            cop: DVec3::ZERO,
+            to_corner: DVec3::new(-2.0, -1.0, -3.0),
+            right: DVec3::new(4.0, 0.0, 0.0),
+            up: DVec3::new(0.0, 2.0, 0.0),
+            pixels: [4, 2],
+        };
+        let off = |wrong: fn(&Camera, f64, f64) -> DVec3, x, y, expected: [f64; 3]| {
+            let off = (wrong(&camera, x, y) - DVec3::from(expected)).length();
+            // some roundings of numbers up to 10
+            assert!(off <= 1e-13, "{off}");
+        };
+        off(right, 4.0, 0.0, [2.0, 1.0, -3.0]);
+        off(tan_of_the_whole_angle, 4.0, 0.0, [4.5, 2.25, -3.0]);
+        // fov/2 is 18.434 948 822 922 01 degrees, and the tangent of that many radians −0.440 119 632 680 586
+        let factor = -0.440_119_632_680_586 * 3.0;
+        off(degrees_for_radians, 4.0, 0.0, [2.0 * factor, factor, -3.0]);
+        for wrong in [tan_of_the_whole_angle, degrees_for_radians] {
+            off(wrong, 2.0, 1.0, [0.0, 0.0, -3.0]);
+        }
     }
 
     #[test]

@@ -26,6 +26,18 @@ pub(super) const MISTAKES: &[Mistake] = &[
         spoils: "I_reflected and I_refracted",
         wrong: Wrong::Shade(background_at_the_limit),
     },
+    Mistake {
+        name: "limit one too high",
+        sentence: "The ray behind the last surface is still traced, so the tree of rays has one level more.",
+        spoils: "I_reflected and I_refracted",
+        wrong: Wrong::Shade(limit_too_high),
+    },
+    Mistake {
+        name: "limit one too low",
+        sentence: "The last ray that the depth limit allows is not traced, so the tree of rays has one level less.",
+        spoils: "I_reflected and I_refracted",
+        wrong: Wrong::Shade(limit_too_low),
+    },
 ];
 
 fn ambient_in_the_loop(scene: &Scene, parts: &Wrong, surface: &Surface<'_>) -> DVec3 {
@@ -52,6 +64,34 @@ fn background_at_the_limit(scene: &Scene, parts: &Wrong, surface: &Surface<'_>) 
     let is_limit = scene.max_depth <= surface.depth;
     let beyond = if is_limit { spawned } else { 0.0 };
     shade(scene, parts, surface) + beyond * scene.background
+}
+
+/// At the last surface the spawned rays are traced as if it were the one before, and what they hit spawns none.
+fn limit_too_high(scene: &Scene, parts: &Wrong, surface: &Surface<'_>) -> DVec3 {
+    if surface.depth < scene.max_depth {
+        return shade(scene, parts, surface);
+    }
+    let before = Surface {
+        depth: scene.max_depth.saturating_sub(1),
+        ..*surface
+    };
+    shade(scene, &Wrong::Shade(as_the_last), &before)
+}
+
+fn as_the_last(scene: &Scene, parts: &Wrong, surface: &Surface<'_>) -> DVec3 {
+    let last = Surface {
+        depth: scene.max_depth,
+        ..*surface
+    };
+    shade(scene, parts, &last)
+}
+
+fn limit_too_low(scene: &Scene, parts: &Wrong, surface: &Surface<'_>) -> DVec3 {
+    if surface.depth + 1 < scene.max_depth {
+        shade(scene, parts, surface)
+    } else {
+        as_the_last(scene, parts, surface)
+    }
 }
 
 #[cfg(test)]
@@ -93,6 +133,19 @@ mod tests {
         // 1 + ½·(1 + ½·1) and 1 + 1·(1 + 1·1)
         check(no_weight, &walls(0.5, 3, 0, 0.0), [1.75, 3.0]);
         check(no_weight, &walls(0.0, 3, 0, 0.0), [1.0, 1.0]);
+    }
+
+    #[test]
+    fn the_last_ray_is_that_of_the_limit_and_no_other() {
+        // 1 + ½·(1 + ½·(1 + ½·0)), one term more, and one less
+        check(limit_too_high, &walls(0.5, 3, 0, 0.0), [1.75, 1.875]);
+        check(limit_too_low, &walls(0.5, 3, 0, 0.0), [1.75, 1.5]);
+        // a limit of 1 is the eye ray alone, which is always traced
+        check(limit_too_high, &walls(0.5, 1, 0, 0.0), [1.0, 1.5]);
+        check(limit_too_low, &walls(0.5, 1, 0, 0.0), [1.0, 1.0]);
+        // what mirrors nothing spawns nothing
+        check(limit_too_high, &walls(0.0, 2, 0, 0.0), [1.0, 1.0]);
+        check(limit_too_low, &walls(0.0, 2, 0, 0.0), [1.0, 1.0]);
     }
 
     #[test]

@@ -52,7 +52,7 @@ mod tests {
             assert!(!of.spoils.is_empty());
             assert_eq!(mistake(of.name).map(|of| of.sentence), Some(sentence));
         }
-        assert_eq!(names.len(), 55, "{names:?}");
+        assert_eq!(names.len(), 60, "{names:?}");
         assert!(mistake("no such mistake").is_none());
     }
 }

@@ -13,6 +13,12 @@ pub(super) const MISTAKES: &[Mistake] = &[
         wrong: Wrong::Blocked(any_hit_counts),
     },
     Mistake {
+        name: "no shadow ray",
+        sentence: "No shadow ray is cast, so every light in front of the surface counts as visible.",
+        spoils: "blocked",
+        wrong: Wrong::Blocked(no_shadow_ray),
+    },
+    Mistake {
         name: "from the eye",
         sentence: "The shadow ray starts at the eye and not at the point that is shaded.",
         spoils: "blocked",
@@ -48,6 +54,10 @@ fn first_light_only(scene: &Scene, ray: &Ray, range: TRange) -> bool {
     light == Some(0) && Own.blocked(scene, ray, range)
 }
 
+fn no_shadow_ray(_scene: &Scene, _ray: &Ray, _range: TRange) -> bool {
+    false
+}
+
 #[cfg(test)]
 mod tests {
     use glam::DVec3;
@@ -76,20 +86,34 @@ mod tests {
             [Own.blocked(&scene, &ray, range)]
                 .into_iter()
                 .chain(
-                    [any_hit_counts, from_the_eye, first_light_only]
-                        .map(|wrong| wrong(&scene, &ray, range)),
+                    [
+                        any_hit_counts,
+                        from_the_eye,
+                        first_light_only,
+                        no_shadow_ray,
+                    ]
+                    .map(|wrong| wrong(&scene, &ray, range)),
                 )
                 .collect::<Vec<_>>()
         };
         // from the origin to each light the ball is in between, at t = 4
-        assert_eq!(from([0.0; 3], DVec3::X, 9.0), [true; 4]);
-        assert_eq!(from([0.0; 3], DVec3::Y, 9.0), [true, true, true, false]);
+        assert_eq!(
+            from([0.0; 3], DVec3::X, 9.0),
+            [true, true, true, true, false]
+        );
+        assert_eq!(
+            from([0.0; 3], DVec3::Y, 9.0),
+            [true, true, true, false, false]
+        );
         // the ball begins behind a light that is 3 away
-        assert_eq!(from([0.0; 3], DVec3::X, 3.0), [false, true, false, false]);
+        assert_eq!(
+            from([0.0; 3], DVec3::X, 3.0),
+            [false, true, false, false, false]
+        );
         // from z = 2 the ray passes the ball, from the eye it does not
         assert_eq!(
             from([0.0, 0.0, 2.0], DVec3::X, 9.0),
-            [false, false, true, false]
+            [false, false, true, false, false]
         );
     }
 }

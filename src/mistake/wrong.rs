@@ -41,6 +41,8 @@ pub enum Wrong {
     DroppedAxis(fn(DVec3) -> Axis),
     /// In place of [`Parts::normals`].
     Normals(fn(&Shape, DVec3) -> Normals),
+    /// In place of [`Parts::leaves_from`].
+    LeavesFrom(fn(&Surface<'_>) -> (DVec3, f64)),
     /// In place of [`Parts::blocked`].
     Blocked(fn(&Scene, &Ray, TRange) -> bool),
     /// In place of [`Parts::light_term`].
@@ -88,6 +90,7 @@ impl Wrong {
             Self::Inside(_) => "Parts::inside",
             Self::DroppedAxis(_) => "Axis::of_largest",
             Self::Normals(_) => "Parts::normals",
+            Self::LeavesFrom(_) => "Parts::leaves_from",
             Self::Blocked(_) => "Parts::blocked",
             Self::LightTerm(_) => "Parts::light_term",
             Self::Reflect(_) => "Parts::reflect",
@@ -172,6 +175,13 @@ impl Parts for Wrong {
         match self {
             Self::Normals(wrong) => wrong(shape, point),
             _ => Own.normals(shape, point),
+        }
+    }
+
+    fn leaves_from(&self, surface: &Surface<'_>) -> (DVec3, f64) {
+        match self {
+            Self::LeavesFrom(wrong) => wrong(surface),
+            _ => Own.leaves_from(surface),
         }
     }
 

@@ -107,6 +107,7 @@ pub fn hit<P: Parts>(parts: &P, primitive: &Primitive, ray: &Ray, range: TRange)
 /// The colour at a point: I = ambient·colour + Σ lights + reflection·I_reflected + transmission·I_refracted.
 pub fn shade<P: Parts>(scene: &Scene, parts: &P, surface: &Surface<'_>) -> DVec3 {
     let material = surface.material;
+    let (from, epsilon) = parts.leaves_from(surface);
     let mut direct = DVec3::ZERO;
     for light in &scene.lights {
         let term = parts.light_term(
@@ -117,14 +118,12 @@ pub fn shade<P: Parts>(scene: &Scene, parts: &P, surface: &Surface<'_>) -> DVec3
             -surface.incoming,
         );
         let to_light = TRange {
-            min: surface.epsilon,
+            min: epsilon,
             // a light in a surface is not blocked by that surface
             max: term.distance * (1.0 - EPSILON),
         };
         // a surface that faces away has no term, and needs no shadow ray
-        if 0.0 < term.n_dot_l
-            && !parts.blocked(scene, &Ray::new(surface.point, term.to_light), to_light)
-        {
+        if 0.0 < term.n_dot_l && !parts.blocked(scene, &Ray::new(from, term.to_light), to_light) {
             direct += term.diffuse + term.specular;
         }
     }
@@ -133,9 +132,9 @@ pub fn shade<P: Parts>(scene: &Scene, parts: &P, surface: &Surface<'_>) -> DVec3
     let (mut reflection, mut transmission) = (material.reflection, material.transmission);
     let mut refracted = None;
     if 0.0 < transmission {
-        let [from, to] = surface.indices();
+        let [index_from, index_to] = surface.indices();
         refracted = parts
-            .refract(surface.incoming, surface.normal, from, to)
+            .refract(surface.incoming, surface.normal, index_from, index_to)
             .direction;
         if refracted.is_none() {
             reflection += transmission;
@@ -145,18 +144,12 @@ pub fn shade<P: Parts>(scene: &Scene, parts: &P, surface: &Surface<'_>) -> DVec3
 
     let spawn = |direction| {
         let range = TRange {
-            min: surface.epsilon,
+            min: epsilon,
             max: f64::INFINITY,
         };
         let depth = surface.depth + 1;
         if depth <= scene.max_depth {
-            colour(
-                scene,
-                parts,
-                &Ray::new(surface.point, direction),
-                range,
-                depth,
-            )
+            colour(scene, parts, &Ray::new(from, direction), range, depth)
         } else {
             DVec3::ZERO
         }
@@ -222,6 +215,11 @@ pub trait Parts: Sized {
     /// The unit normals at a point of a surface, outwards ([`Shape::normals`]). They are turned towards the ray later.
     fn normals(&self, shape: &Shape, point: DVec3) -> Normals {
         shape.normals(point)
+    }
+
+    /// Where the rays that a surface spawns start, and ε: the smallest t that counts on them.
+    fn leaves_from(&self, surface: &Surface<'_>) -> (DVec3, f64) {
+        (surface.point, surface.epsilon)
     }
 
     /// Is the light hidden: does the shadow ray hit any object in the range ([`blocked`])?

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use crate::lesson::check::agreeing::Agreeing;
 use crate::lesson::check::suspects::Suspects;
 use crate::mistake::Mistake;
 use crate::trace::Kind;
@@ -44,6 +45,21 @@ pub struct Divergence {
     pub mistake: Option<&'static Mistake>,
 }
 
+/// A field that no line of its kind has: a slip, or the program's own.
+#[derive(Clone, Debug)]
+pub struct UnknownField {
+    /// The kind of the lines that have it.
+    pub kind: Kind,
+    /// Its key.
+    pub key: String,
+    /// The first line that has it, from 1.
+    pub line: u64,
+    /// How many lines have it.
+    pub lines: u64,
+    /// The field of the kind that it is most like.
+    pub near: Option<String>,
+}
+
 /// What was compared, what was absent, and the first divergence.
 #[derive(Clone, Debug, Default)]
 pub struct Checked {
@@ -59,10 +75,14 @@ pub struct Checked {
     pub absent: Vec<Kind>,
     /// Lines that are not compared, by what they say they are.
     pub ignored: BTreeMap<String, u64>,
+    /// Fields that no line of their kind has, which are not compared.
+    pub unknown: Vec<UnknownField>,
     /// The first line that differs, in the order of the working.
     pub divergence: Option<Divergence>,
     /// The mistakes that explain all that differs so far; none before anything does.
     pub(super) suspects: Option<Suspects>,
+    /// Some colours that agree before the first one differs.
+    pub(super) agreeing: Agreeing,
     pub(super) expected: std::collections::BTreeSet<Kind>,
 }
 
@@ -72,8 +92,12 @@ impl Checked {
         self.divergence.is_none()
     }
 
-    pub(super) fn finish(&mut self, ignored: BTreeMap<String, u64>) {
+    pub(super) fn finish(
+        &mut self,
+        (ignored, unknown): (BTreeMap<String, u64>, Vec<UnknownField>),
+    ) {
         self.ignored = ignored;
+        self.unknown = unknown;
         let met = |kind: &Kind| self.compared.contains_key(kind) || self.beyond.contains_key(kind);
         self.absent = self
             .expected

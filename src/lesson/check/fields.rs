@@ -229,17 +229,8 @@ fn is_same(
             let is_0 = matches!(yours, Value::List(list) if list.iter().all(|of| *of == 0.0));
             yours.is(expected, tolerance) || (is_dark && is_0)
         }
-        (Kind::PixelColour, "rgb") => match (yours, expected) {
-            // rounded or cut off
-            (Value::List(yours), Value::List(expected)) => {
-                yours.len() == expected.len()
-                    && yours
-                        .iter()
-                        .zip(expected)
-                        .all(|(a, b)| (a - b).abs() <= 1.0)
-            }
-            _ => false,
-        },
+        // rounded or cut off
+        (Kind::PixelColour, "rgb") => yours.is_within(expected, 1.0),
         _ => yours.is(expected, tolerance),
     }
 }
@@ -324,9 +315,10 @@ fn in_their_form(yours: &Fields, expected: &Fields, how: How) -> Fields {
             }
         }
         Kind::SphereTest | Kind::EllipsoidTest | Kind::ConeTest => {
-            if let Some([b, discriminant]) = form_of_b(yours, expected, how.tolerance) {
-                scale(&mut form, &["b"], b);
-                scale(&mut form, &["discriminant"], discriminant);
+            if let Some(of) = quadratic_form(yours, expected, how.tolerance) {
+                scale(&mut form, &["a", "c"], of.a);
+                scale(&mut form, &["b"], of.b);
+                scale(&mut form, &["discriminant"], of.discriminant);
             }
         }
         _ => {}
@@ -378,31 +370,73 @@ fn plane_factor(yours: &Fields, expected: &Fields, tolerance: f64) -> Option<f64
     (agrees && (1 < factors.len() || close(first, -1.0, tolerance))).then_some(first)
 }
 
-/// The form of the quadratic that the line has, as factors of b and of the discriminant: half b, b′² − ac, or b with the
-/// other sign, which the formula of the roots then has too. `None`: the usual one, or none that fits.
-fn form_of_b(yours: &Fields, expected: &Fields, tolerance: f64) -> Option<[f64; 2]> {
-    const FORMS: [[f64; 2]; 3] = [[0.5, 0.25], [-1.0, 1.0], [-0.5, 0.25]];
+/// The form of the quadratic that the line has.
+struct Form {
+    a: f64,
+    b: f64,
+    discriminant: f64,
+}
+
+/// The form of the quadratic that the line has: half b with b′² − ac, b with the other sign, which the formula of the roots
+/// then has too, and any of these divided by a number such as a. `None`: the usual one, or none that fits.
+///
+/// Of the equation k·a·t² + k·b·t + k·c = 0 the roots are the same, and b² − 4ac is k² times as large.
+fn quadratic_form(yours: &Fields, expected: &Fields, tolerance: f64) -> Option<Form> {
+    /// Factors of b, and of the discriminant.
+    const SHAPES: [[f64; 2]; 4] = [[1.0, 1.0], [0.5, 0.25], [-1.0, 1.0], [-0.5, 0.25]];
     let loose = 10.0 * tolerance;
     let fits = |key: &str, factor: f64| {
         let (yours, expected) = (yours.number(key), expected.number(key)?);
         yours.map(|yours| close(yours, factor * expected, loose))
     };
-    if fits("b", 1.0).unwrap_or(true) && fits("discriminant", 1.0).unwrap_or(true) {
+    let forms = |k: f64| {
+        SHAPES.map(|[b, discriminant]| Form {
+            a: k,
+            b: k * b,
+            discriminant: k * k * discriminant,
+        })
+    };
+    // how many of its numbers the line has; none if one of them does not fit
+    let count = |form: &Form| {
+        let keys = [
+            ("a", form.a),
+            ("b", form.b),
+            ("c", form.a),
+            ("discriminant", form.discriminant),
+        ];
+        let given: Vec<bool> = keys.iter().filter_map(|(key, of)| fits(key, *of)).collect();
+        given.iter().all(|fits| *fits).then_some(given.len())
+    };
+    let [usual, others @ ..] = forms(1.0);
+    if count(&usual).is_some() {
         return None;
     }
+    let roots: Vec<bool> = ["near", "far", "t"]
+        .into_iter()
+        .filter_map(|key| fits(key, 1.0))
+        .collect();
+    let has_roots = !roots.is_empty() && roots.iter().all(|fits| *fits);
+    let may_have_roots = has_roots || expected.number("near").is_none();
     // b alone says nothing of the form; with its sign turned, the roots tell whether that was meant
-    let roots = ["near", "far", "t"];
-    let roots: Vec<bool> = roots.into_iter().filter_map(|key| fits(key, 1.0)).collect();
-    let has_roots =
-        expected.number("near").is_none() || (!roots.is_empty() && roots.iter().all(|fits| *fits));
-    FORMS.into_iter().find(|[b, discriminant]| {
-        let discriminant_fits = fits("discriminant", *discriminant);
-        fits("b", *b).unwrap_or(true)
-            && discriminant_fits.unwrap_or(true)
-            && if *b < 0.0 {
-                has_roots && fits("b", *b).is_some()
-            } else {
-                discriminant_fits.is_some()
-            }
-    })
+    let of_sign = others.into_iter().find(|form| {
+        let has_evidence = if form.b < 0.0 {
+            may_have_roots && fits("b", form.b).is_some()
+        } else {
+            has_roots || fits("discriminant", form.discriminant).is_some()
+        };
+        count(form).is_some() && has_evidence
+    });
+    if of_sign.is_some() {
+        return of_sign;
+    }
+    let ratio = |key: &str| Some(yours.number(key)? / expected.number(key)?);
+    let scale = ratio("a").or_else(|| ratio("c")).or_else(|| ratio("b"))?;
+    if !scale.is_finite() || scale == 0.0 {
+        return None;
+    }
+    // where there is no root, two numbers that agree are another factor
+    let least = if has_roots { 1 } else { 2 };
+    forms(scale)
+        .into_iter()
+        .find(|form| may_have_roots && count(form).is_some_and(|count| least <= count))
 }

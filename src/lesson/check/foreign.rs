@@ -3,6 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::io::BufRead;
 
+use crate::lesson::check::checked::UnknownField;
 use crate::lesson::check::error::CheckError;
 use crate::lesson::check::line::{Known, Line, Read};
 use crate::scene::{LONGEST_LINE, ReadEnd, Scene, gibibytes, read_up_to};
@@ -46,7 +47,11 @@ pub(super) struct ForeignLog<'a, R> {
     /// Those whose lines are read.
     done: BTreeSet<[u32; 2]>,
     ignored: BTreeMap<String, u64>,
+    unknown: BTreeMap<(Kind, String), UnknownField>,
 }
+
+/// Of a log that makes up keys without end, this many are told.
+const MOST_UNKNOWN: usize = 20;
 
 impl<'a, R: BufRead> ForeignLog<'a, R> {
     pub(super) fn new(name: &str, input: R, scene: &'a Scene) -> Self {
@@ -59,12 +64,33 @@ impl<'a, R: BufRead> ForeignLog<'a, R> {
             next: None,
             done: BTreeSet::new(),
             ignored: BTreeMap::new(),
+            unknown: BTreeMap::new(),
         }
     }
 
-    /// How many lines there were of each kind that is not compared.
-    pub(super) fn ignored(self) -> BTreeMap<String, u64> {
-        self.ignored
+    /// How many lines there were of each kind that is not compared; and the fields that no line of their kind has.
+    pub(super) fn aside(self) -> (BTreeMap<String, u64>, Vec<UnknownField>) {
+        let mut unknown: Vec<UnknownField> = self.unknown.into_values().collect();
+        unknown.sort_by_key(|of| of.line);
+        (self.ignored, unknown)
+    }
+
+    fn note_unknown(&mut self, line: &Line) {
+        for key in &line.unknown {
+            let place = (line.kind, key.clone());
+            if let Some(known) = self.unknown.get_mut(&place) {
+                known.lines += 1;
+            } else if self.unknown.len() < MOST_UNKNOWN {
+                let found = UnknownField {
+                    kind: line.kind,
+                    key: key.clone(),
+                    line: line.number,
+                    lines: 1,
+                    near: self.known.nearest_key(line.kind, key),
+                };
+                self.unknown.insert(place, found);
+            }
+        }
     }
 
     /// The lines of the next pixel; `None` at the end.
@@ -130,7 +156,10 @@ impl<'a, R: BufRead> ForeignLog<'a, R> {
                 continue;
             }
             match Line::read(text, self.number, &self.known, pixel) {
-                Ok(Read::Line(line)) => return Ok(Some(*line)),
+                Ok(Read::Line(line)) => {
+                    self.note_unknown(&line);
+                    return Ok(Some(*line));
+                }
                 Ok(Read::Aside(kind)) => *self.ignored.entry(kind).or_default() += 1,
                 Err(wrong) => return Err(self.wrong(wrong.what, wrong.fix)),
             }
@@ -206,5 +235,14 @@ fn place_of(rays: &[ForeignRay], line: &Line) -> Option<usize> {
         Some(purpose) => ray.purpose.is_none_or(|of| of == purpose),
         None => !(of_hit && ray.purpose == Some(Purpose::Shadow)),
     };
-    rays.iter().rposition(fits)
+    // what a ray has once belongs to the ray around it, if it has one already: it is written behind the deeper ray
+    let is_once = of_hit || line.kind == Kind::RayEnd;
+    let has_it = |ray: &ForeignRay| {
+        let mut lines = ray.lines.iter();
+        lines.any(|of| of.kind == line.kind && of.fields.get("light") == line.fields.get("light"))
+    };
+    let without = rays.iter().rposition(|ray| fits(ray) && !has_it(ray));
+    without
+        .filter(|_| is_once)
+        .or_else(|| rays.iter().rposition(fits))
 }

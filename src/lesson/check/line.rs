@@ -1,10 +1,10 @@
 //! One line of a foreign log: what it is about, and what is wrong with it.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use crate::lesson::check::value::{Fields, Value};
-use crate::scene::{Scene, nearest_name, printable};
-use crate::trace::{Kind, Purpose};
+use crate::scene::{Scene, nearest_name, printable, quoted};
+use crate::trace::{Kind, Purpose, fields_of};
 
 /// A line.
 #[derive(Clone, Debug)]
@@ -19,6 +19,8 @@ pub(super) struct Line {
     pub(super) parent: Option<u64>,
     pub(super) purpose: Option<Purpose>,
     pub(super) fields: Fields,
+    /// Keys that no line of this kind has.
+    pub(super) unknown: Vec<String>,
 }
 
 /// What a line can be.
@@ -46,7 +48,11 @@ pub(super) struct Known<'a> {
     objects: BTreeSet<&'a str>,
     lights: BTreeSet<&'a str>,
     pixels: [u32; 2],
+    fields: BTreeMap<Kind, BTreeMap<String, Vec<String>>>,
 }
+
+/// Keys that a line of any kind may have.
+const EVERYWHERE: [&str; 6] = ["kind", "step", "pixel", "ray", "parent", "purpose"];
 
 impl<'a> Known<'a> {
     pub(super) fn of(scene: &'a Scene) -> Self {
@@ -54,7 +60,35 @@ impl<'a> Known<'a> {
             objects: scene.objects.iter().map(|of| of.name.as_str()).collect(),
             lights: scene.lights.iter().map(|of| of.name.as_str()).collect(),
             pixels: scene.camera.pixels,
+            fields: Kind::ALL
+                .map(|kind| (kind, fields_of(kind).into_iter().collect()))
+                .into(),
         }
+    }
+
+    /// The key of this kind that a word is most like.
+    pub(super) fn nearest_key(&self, kind: Kind, key: &str) -> Option<String> {
+        let keys = self.fields.get(&kind)?.keys();
+        nearest_name(key, keys.map(String::as_str))
+    }
+
+    /// The keys that no line of this kind has. A word in the place of one of a few others is a mistake of the line.
+    fn unknown(&self, kind: Kind, fields: &Fields) -> Result<Vec<String>, Wrong> {
+        let known = &self.fields[&kind];
+        let mut unknown = Vec::new();
+        for (key, value) in &fields.0 {
+            if EVERYWHERE.contains(&key.as_str()) {
+                continue;
+            }
+            match (known.get(key), value) {
+                (None, _) => unknown.push(key.clone()),
+                (Some(words), Value::Text(word)) if !words.is_empty() && !words.contains(word) => {
+                    return Err(no_such_word(key, word, words));
+                }
+                _ => {}
+            }
+        }
+        Ok(unknown)
     }
 
     fn check(&self, fields: &Fields) -> Result<(), Wrong> {
@@ -132,6 +166,7 @@ impl Line {
             ));
         };
         known.check(&fields)?;
+        let unknown = known.unknown(kind, &fields)?;
         let pixel = match pixel_of(&fields)? {
             Some(pixel) => pixel,
             None => before.ok_or_else(|| {
@@ -168,8 +203,23 @@ impl Line {
             parent: whole(&fields, "parent")?,
             purpose,
             fields,
+            unknown,
         })))
     }
+}
+
+/// A word that is none of those that a field has.
+fn no_such_word(key: &str, word: &str, words: &[String]) -> Wrong {
+    let all: Vec<String> = words.iter().map(|word| format!("{word:?}")).collect();
+    let all = match all.split_last() {
+        Some((last, rest)) if !rest.is_empty() => format!("{} or {last}", rest.join(", ")),
+        _ => all.concat(),
+    };
+    let fix = match nearest_name(word, words.iter().map(String::as_str)) {
+        Some(near) => format!("it is {all}; did you mean {near:?}?"),
+        None => format!("it is {all}"),
+    };
+    wrong(format!("{key:?} has the word {}", quoted(word)), fix)
 }
 
 /// A number of a ray.

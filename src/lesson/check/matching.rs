@@ -4,24 +4,23 @@ use std::collections::BTreeMap;
 use std::ops::Range;
 
 use crate::geometry::Ray;
+use crate::lesson::check::agreeing::Colour;
 use crate::lesson::check::checked::{Checked, Divergence, Quantity};
 use crate::lesson::check::error::CheckError;
 use crate::lesson::check::fields::{self, How, WrongType};
 use crate::lesson::check::foreign::{ForeignPixel, ForeignRay};
 use crate::lesson::check::line::Line;
 use crate::lesson::check::on_ray::OnRay;
-use crate::lesson::check::options::CheckOptions;
+use crate::lesson::check::options::{COLOUR, CheckOptions};
 use crate::lesson::check::pairing::{OFFSET, event_of, in_words, match_rays, subject};
 use crate::lesson::check::reference::{Expected, ExpectedPixel, ExpectedRay, Reference};
 use crate::lesson::check::suspects::{self, Situation, Suspects};
 use crate::lesson::check::value::{Fields, Value};
+use crate::lesson::check::way::Way;
 use crate::trace::{Kind, Purpose};
 
 /// How many times further beside its point a ray of a bent mirror may hit.
 const AMPLIFIED: f64 = 30.0;
-
-/// How far a colour may differ: a quarter of the step between two bytes.
-const COLOUR: f64 = 1e-3;
 
 /// A line with the event that it is.
 struct Compared<'a> {
@@ -180,6 +179,12 @@ impl Comparing<'_, '_> {
                     quantities,
                     ray: None,
                     on: None,
+                });
+            } else if line.kind == Kind::PixelColour && self.checked.divergence.is_none() {
+                self.checked.agreeing.keep(|| Colour {
+                    pixel: pixel.pixel,
+                    yours: line.fields.clone(),
+                    expected,
                 });
             }
         }
@@ -478,6 +483,7 @@ impl Comparing<'_, '_> {
             tolerance: self.tolerance(of.ray),
             differs: wrong.is_some(),
             is_endless: false,
+            way: Way::default(),
         };
         let first = self.checked.divergence.as_ref();
         let purpose = of
@@ -492,11 +498,21 @@ impl Comparing<'_, '_> {
         if first.is_some_and(is_other) {
             return;
         }
+        let suspects = &mut self.checked.suspects;
         if first.is_none() || !suspects::is_on_start(&situation) {
-            self.checked
-                .suspects
-                .get_or_insert_with(Suspects::all)
-                .hear(&situation);
+            suspects.get_or_insert_with(Suspects::all).hear(&situation);
+        }
+        let before = self.checked.agreeing.take();
+        if let (Kind::PixelColour, None, Some(suspects)) = (of.line.kind, first, suspects) {
+            for before in &before {
+                suspects.hear(&Situation {
+                    pixel: before.pixel,
+                    expected: &before.expected,
+                    yours: &before.yours,
+                    differs: false,
+                    ..situation
+                });
+            }
         }
         if let (None, Some(wrong)) = (first, wrong) {
             let ray = of

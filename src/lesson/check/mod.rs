@@ -11,13 +11,16 @@
 //!                   ▶ pairing    which ray of the log is which, and which line is which event
 //!                   ▶ matching   the lines of a pixel against its events
 //!                   ▶ fields     which quantity differs, and which may
+//!                   ▶ agreeing   some colours that agree before the first one differs
 //!                   ▶ suspects   the mistakes that give the student's values
+//!                   ▶ way        the simple ray tracer with a mistake, as different programs write it
 //!                   ▶ checked    what was compared, what was absent, the first divergence; report tells it, picture draws it
 //! ```
 //!
 //! Nobody who is right is accused: what a ray is tested against is computed for the ray that the log itself has, so that
 //! another ε, another scale of t and another order of the objects pass.
 
+mod agreeing;
 mod checked;
 mod error;
 mod fields;
@@ -32,10 +35,11 @@ mod reference;
 mod report;
 mod suspects;
 mod value;
+mod way;
 
 use std::io::BufRead;
 
-pub use checked::{Checked, Divergence, Quantity};
+pub use checked::{Checked, Divergence, Quantity, UnknownField};
 pub use error::CheckError;
 pub use options::{CheckOptions, TOLERANCE};
 pub use picture::picture;
@@ -68,6 +72,6 @@ pub fn check_log(
         let expected = reference.pixel(pixel.pixel)?;
         matching::compare(&reference, &expected, &pixel, options, (name, &mut checked))?;
     }
-    checked.finish(log.ignored());
+    checked.finish(log.aside());
     Ok(checked)
 }

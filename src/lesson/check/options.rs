@@ -20,5 +20,8 @@ impl Default for CheckOptions {
     }
 }
 
+/// How far a colour may differ: a quarter of the step between two bytes.
+pub(super) const COLOUR: f64 = 1e-3;
+
 /// What six printed digits leave (5·10⁻⁶), and some.
 pub const TOLERANCE: f64 = 1e-5;

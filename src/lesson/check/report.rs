@@ -6,7 +6,8 @@ use std::fmt::Write;
 use serde_json::{Value as Json, json};
 
 use crate::explain::grouped;
-use crate::lesson::check::checked::{Checked, Divergence};
+use crate::lesson::check::checked::{Checked, Divergence, UnknownField};
+use crate::scene::quoted;
 use crate::trace::{Kind, StrategyName};
 
 /// What a report names beside what was compared.
@@ -47,6 +48,21 @@ fn label(key: &str) -> String {
     match WORDS.iter().find(|(known, _)| *known == key) {
         Some((_, word)) => format!("{word} ({key})"),
         None => key.into(),
+    }
+}
+
+impl UnknownField {
+    fn told(&self) -> String {
+        let (key, kind, line) = (quoted(&self.key), self.kind.name(), self.line);
+        let lines = match self.lines {
+            1 => format!("line {line}"),
+            lines => format!("{} lines, the first one is line {line}", grouped(lines)),
+        };
+        let near = match &self.near {
+            Some(near) => format!("; did you mean {near:?}?"),
+            None => String::new(),
+        };
+        format!("the field {key} of {kind} is not known and not compared ({lines}){near}")
     }
 }
 
@@ -102,6 +118,9 @@ impl Checked {
                 "  not compared, since this program has no such step there, or the ray cannot be told: {}",
                 counts(&self.beyond)
             );
+        }
+        for of in &self.unknown {
+            let _ = writeln!(text, "  note: {}", of.told());
         }
         let Some(divergence) = &self.divergence else {
             text += if self.compared.is_empty() {
@@ -173,6 +192,11 @@ impl Checked {
                 "picture": named.picture,
             })
         });
+        let unknown: Vec<Json> = self
+            .unknown
+            .iter()
+            .map(|of| json!({"kind": of.kind.name(), "field": of.key, "line": of.line, "lines": of.lines, "near": of.near}))
+            .collect();
         json!({
             "scene": named.scene,
             "log": named.log,
@@ -183,6 +207,7 @@ impl Checked {
             "beyond": in_json(&self.beyond),
             "absent": self.absent.iter().map(|kind| kind.name()).collect::<Vec<_>>(),
             "ignored": self.ignored,
+            "unknown": unknown,
             "divergence": divergence,
         })
     }

@@ -2,8 +2,10 @@
 
 use crate::geometry::TRange;
 use crate::lesson::check::on_ray::OnRay;
+use crate::lesson::check::options::COLOUR;
 use crate::lesson::check::reference::{Expected, ExpectedRay, Reference};
 use crate::lesson::check::value::{Fields, Value};
+use crate::lesson::check::way::Way;
 use crate::mistake::{Mistake, Wrong, mistakes};
 use crate::scene::{PrimitiveId, Shape};
 use crate::structure::Across;
@@ -30,6 +32,8 @@ pub(super) struct Situation<'a, 's> {
     pub(super) differs: bool,
     /// Does the ray go on beyond the light that it is cast to?
     pub(super) is_endless: bool,
+    /// What is free in a program beside its mistake.
+    pub(super) way: Way,
 }
 
 impl Situation<'_, '_> {
@@ -42,35 +46,66 @@ impl Situation<'_, '_> {
         };
         TRange { max, ..on.range }
     }
+
+    /// Does it belong to an eye ray, or to the pixel?
+    fn is_of_eye(&self) -> bool {
+        self.ray.is_none_or(|ray| self.rays[ray].parent.is_none())
+    }
+
+    /// Is the quantity a colour with all that its rays bring?
+    fn is_of_colour(&self) -> bool {
+        matches!(self.expected.event, Event::PixelColour(_)) || self.key == "colour"
+    }
 }
 
-/// The mistakes that may still be it, each with whether it has explained a line.
+/// The mistakes that may still be it.
 #[derive(Clone, Debug, Default)]
-pub(in crate::lesson::check) struct Suspects(Vec<(&'static Mistake, bool)>);
+pub(in crate::lesson::check) struct Suspects(Vec<Suspect>);
+
+/// A mistake with how many lines speak for it and against it.
+#[derive(Clone, Copy, Debug)]
+struct Suspect {
+    mistake: &'static Mistake,
+    /// Lines that differ, and have what the mistake gives.
+    explained: u64,
+    /// Lines that have something else.
+    against: u64,
+}
+
+/// At an edge of an object or of a shadow a pixel of another program may see the other side. One line in so many may
+/// speak against a mistake.
+const EDGES: u64 = 32;
 
 impl Suspects {
     /// All mistakes.
     pub(super) fn all() -> Self {
-        Self(mistakes().map(|mistake| (mistake, false)).collect())
+        let suspect = |mistake| Suspect {
+            mistake,
+            explained: 0,
+            against: 0,
+        };
+        Self(mistakes().map(suspect).collect())
     }
 
-    /// Those stay that say what a line says, or nothing against it.
+    /// Those stay that say what a line says, or nothing against it, but for a few lines.
     pub(super) fn hear(&mut self, situation: &Situation<'_, '_>) {
-        self.0
-            .retain_mut(|(mistake, has_explained)| match said(mistake, situation) {
-                Said::TheSame => {
-                    *has_explained |= situation.differs;
-                    true
-                }
-                Said::Nothing => true,
-                Said::Otherwise => false,
-            });
+        /// Before many lines are heard, so many may be against it.
+        const FIRST: u64 = 1;
+        self.0.retain_mut(|suspect| {
+            match said(suspect.mistake, situation) {
+                Said::TheSame => suspect.explained += u64::from(situation.differs),
+                Said::Nothing => {}
+                Said::Otherwise => suspect.against += 1,
+            }
+            suspect.against <= FIRST + suspect.explained / EDGES
+        });
     }
 
-    /// The first that explains what differs.
+    /// The one with the least against it that explains what differs; of several the first.
     pub(super) fn found(&self) -> Option<&'static Mistake> {
-        let explained = self.0.iter().find(|(_, has_explained)| *has_explained);
-        explained.map(|(mistake, _)| *mistake)
+        let likely = |of: &&Suspect| 0 < of.explained && EDGES * of.against <= of.explained;
+        let found = self.0.iter().filter(likely).min_by_key(|of| of.against);
+        found.map(|of| of.mistake)
     }
 }
 
@@ -85,8 +120,13 @@ enum Said {
     Otherwise,
 }
 
-/// What it says on the ray that fits it best.
+/// What it says on the ray that fits it best, or in the way that fits it best.
 fn said(mistake: &Mistake, situation: &Situation<'_, '_>) -> Said {
+    if situation.is_of_colour() {
+        let said = Way::of(&mistake.wrong)
+            .map(|way| said_on_ray(mistake, &Situation { way, ..*situation }));
+        return best(&said.collect::<Vec<_>>());
+    }
     // a function that is not told where the light is finds what lies beyond it
     let on_ray = |on| {
         [false, true].map(|is_endless| {
@@ -103,6 +143,10 @@ fn said(mistake: &Mistake, situation: &Situation<'_, '_>) -> Said {
         .chain(situation.contexts.iter().map(Some))
         .flat_map(on_ray)
         .collect();
+    best(&said)
+}
+
+fn best(said: &[Said]) -> Said {
     [Said::TheSame, Said::Nothing]
         .into_iter()
         .find(|of| said.contains(of))
@@ -122,19 +166,28 @@ pub(super) fn is_on_start(situation: &Situation<'_, '_>) -> bool {
 
 fn said_on_ray(mistake: &Mistake, situation: &Situation<'_, '_>) -> Said {
     let Some(wrong) = predicted(&mistake.wrong, situation) else {
+        // what a ray of a mirror brings is not computed again
+        let is_spawned = situation.key == "colour" && !situation.is_of_eye();
         // a function that has no part in what differs is not it
-        return if situation.differs {
+        return if situation.differs && !is_spawned {
             Said::Otherwise
         } else {
             Said::Nothing
         };
     };
     let yours = situation.yours;
+    let tolerance = CLOSE * situation.tolerance;
+    let are_same = |key: &str, one: &Value, other: &Value| match key {
+        "raw" | "clamped" | "colour" => one.is(other, tolerance.max(COLOUR)),
+        // rounded or cut off
+        "rgb" => one.is(other, tolerance) || one.is_within(other, 1.0),
+        _ => one.is(other, tolerance),
+    };
     let of_key = |key: &str| match (wrong.get(key), yours.get(key)) {
-        (Some(wrong), Some(yours)) if yours.is(wrong, CLOSE * situation.tolerance) => {
+        (Some(wrong), Some(yours)) if are_same(key, yours, wrong) => {
             // where it changes nothing it explains nothing
             let right = situation.expected.fields.get(key);
-            let changes = right.is_none_or(|right| !wrong.is(right, CLOSE * situation.tolerance));
+            let changes = right.is_none_or(|right| !are_same(key, wrong, right));
             if changes || !situation.differs {
                 Said::TheSame
             } else {
@@ -396,13 +449,11 @@ fn of_colour(wrong: &Wrong, situation: &Situation<'_, '_>) -> Option<Fields> {
         return None;
     }
     // the colour of a ray that others spawned is not told by the picture
-    let is_eye = situation
-        .ray
-        .is_none_or(|ray| situation.rays[ray].parent.is_none());
-    if !is_eye {
+    if !situation.is_of_eye() {
         return None;
     }
-    let raw = simple::pixel(situation.reference.scene, wrong, situation.pixel);
+    let program = situation.way.with(wrong);
+    let raw = simple::pixel(situation.reference.scene, &program, situation.pixel);
     let clamped = raw.clamp(glam::DVec3::ZERO, glam::DVec3::ONE);
     Some(Fields(match situation.expected.event {
         Event::RayEnd(_) => vec![("colour".into(), vector(raw))],
@@ -447,14 +498,21 @@ fn of_light(wrong: &Wrong, situation: &Situation<'_, '_>, right: &LightTerm) -> 
             terms(light.phong(material, shade.point, surface.normal, to_viewer))
         }
         // behind the surface nobody asks
-        Wrong::Blocked(_) if right.term.n_dot_l <= 0.0 => None,
-        Wrong::Blocked(blocked) => {
-            let shadow = crate::geometry::Ray::new(shade.point, right.term.to_light);
+        Wrong::Blocked(_) | Wrong::LeavesFrom(_) if right.term.n_dot_l <= 0.0 => None,
+        Wrong::Blocked(_) | Wrong::LeavesFrom(_) => {
+            let hit = ray.hit?;
+            let normals = shape(situation, hit.object).normals(shade.point);
+            let surface = Surface::new(scene, &ray.start.ray, ray.start.depth, hit, normals);
+            let (from, epsilon) = match wrong {
+                Wrong::LeavesFrom(_) => wrong.leaves_from(&surface),
+                _ => (shade.point, EPSILON),
+            };
+            let shadow = crate::geometry::Ray::new(from, right.term.to_light);
             let range = TRange {
-                min: EPSILON,
+                min: epsilon,
                 max: right.term.distance * (1.0 - EPSILON),
             };
-            let word = if blocked(scene, &shadow, range) {
+            let word = if wrong.blocked(scene, &shadow, range) {
                 "shadowed"
             } else {
                 "visible"

@@ -100,6 +100,17 @@ impl Value {
         }
     }
 
+    /// Do two lists differ by at most this in each number?
+    pub(super) fn is_within(&self, other: &Self, most: f64) -> bool {
+        match (self, other) {
+            (Self::List(one), Self::List(other)) => {
+                one.len() == other.len()
+                    && one.iter().zip(other).all(|(a, b)| (a - b).abs() <= most)
+            }
+            _ => false,
+        }
+    }
+
     /// As the log has it.
     pub(super) fn json(&self) -> String {
         match self {

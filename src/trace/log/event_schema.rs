@@ -34,6 +34,20 @@ pub(crate) fn keys_of(kind: Kind) -> Vec<String> {
         .collect()
 }
 
+/// The fields that a line of this kind may have: each key, and its words if its value is one of a few.
+pub fn fields_of(kind: Kind) -> Vec<(String, Vec<String>)> {
+    let word = |value: &Value| value["const"].as_str().map(str::to_owned);
+    described(kind)
+        .properties
+        .into_iter()
+        .map(|(key, schema)| {
+            let values = schema["oneOf"].as_array();
+            let words = values.into_iter().flatten().filter_map(word).collect();
+            (key, words)
+        })
+        .collect()
+}
+
 fn described(kind: Kind) -> Description {
     let mut description = Description::default();
     description.add(

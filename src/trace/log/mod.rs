@@ -26,6 +26,7 @@ mod schema;
 pub(crate) mod settings;
 
 pub use error::LogError;
+pub use event_schema::fields_of;
 pub(crate) use event_schema::keys_of;
 pub(crate) use fast::EventWriter;
 pub use head::{LOG_VERSION, write_log_head, write_of_pixels};

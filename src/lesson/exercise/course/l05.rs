@@ -543,6 +543,7 @@ pub static BLOCKED: Task<ShadowRay, fn(&Scene, &Ray, TRange) -> bool> = Task {
             "any hit counts",
             "from the eye",
             "first light only",
+            "no shadow ray",
         ],
         see: See::Step {
             scene: "02-simple-tracer/scene.json",
@@ -771,7 +772,7 @@ pub static SHADE: Task<Seen, fn(&Scene, &Surface<'_>) -> DVec3> = Task {
     answer: |student, case, _| of_colour(at_surface(case, |surface| student(&case.scene, surface))),
     own: |scene, surface| Own.shade(scene, surface),
     mistaken: |wrong, case| match wrong {
-        Wrong::Shade(_) => Some(of_colour(at_surface(case, |surface| {
+        Wrong::Shade(_) | Wrong::LeavesFrom(_) => Some(of_colour(at_surface(case, |surface| {
             wrong.shade(&case.scene, surface)
         }))),
         _ => None,

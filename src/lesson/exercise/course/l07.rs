@@ -307,7 +307,12 @@ pub static CHILDREN: Task<Seen, fn(&Scene, &Surface<'_>) -> DVec3> = Task {
             Part::Ambient,
             Part::LightSum,
         ],
-        mistakes: &["no weight", "background at the limit"],
+        mistakes: &[
+            "no weight",
+            "background at the limit",
+            "limit one too high",
+            "limit one too low",
+        ],
         see: See::Step {
             scene: "07-reflection-refraction/mirror.json",
             pixel: [30, 22],
