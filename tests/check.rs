@@ -242,8 +242,10 @@ fn the_end_of_a_ray_behind_that_of_a_deeper_one_belongs_to_the_ray_around_it() {
             return;
         };
         let ray = (line["pixel"].to_string(), ray);
-        if line["kind"] == "ray" {
+        if line["kind"] == "ray" && line["purpose"] == "reflected" {
             most_nested = most_nested.max(line["depth"].as_u64().unwrap());
+        }
+        if line["kind"] == "ray" {
             purposes.insert(ray.clone(), line["purpose"].clone());
         }
         line["purpose"] = purposes[&ray].clone();
@@ -446,7 +448,7 @@ fn a_line_that_makes_no_sense_is_told_with_its_number_and_what_to_do() {
     );
     refused(
         &after(r#"{"kind":"light_term","pixel":[0,0],"light":"lamp","visibility":"no"}"#),
-        "\"visibility\" has the word \"no\"\n  it is \"visible\", \"shadowed\" or \"faces_away\"",
+        "\"visibility\" has the word \"no\"\n  it is \"visible\", \"shadowed\", \"faces_away\" or \"not_tested\"",
     );
     refused(
         &after(r#"{"kind":"polygon_test","pixel":[0,0],"object":"floor","dropped":"Y"}"#),

@@ -3,6 +3,7 @@
 pub(crate) mod run;
 pub(crate) mod strategies;
 
+mod export;
 pub(crate) mod figures;
 pub(crate) mod inspect;
 mod lesson;

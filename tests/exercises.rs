@@ -11,7 +11,8 @@ use std::path::{Path, PathBuf};
 
 use raystep::explain::Part;
 use raystep::lesson::exercise::{
-    Attempt, CaseSaid, Commands, Exercise, MOST_LINES, Outcome, See, Silent, exercises, message,
+    Attempt, CaseSaid, Commands, Exercise, MOST_LINES, Outcome, See, Seeds, Silent, exercises,
+    message,
 };
 use raystep::mistake::{mistake, mistakes};
 use raystep::{Chosen, Settings, StrategyName, Tracer, load, record_pixel};
@@ -150,6 +151,23 @@ fn every_solution_is_right_and_every_stub_is_not_written() {
             "{}: {outcome:#?}",
             stub.about().id()
         );
+    }
+}
+
+/// The cases of a secret are made when nobody looks: none of them may lie where rounding decides.
+#[test]
+fn every_solution_and_every_other_right_function_is_right_with_the_cases_of_any_secret() {
+    for secret in 0..20 {
+        let seeds = Seeds::of_secret(&format!("secret {secret}"));
+        let right = solved::attempts::attempts().into_iter();
+        for attempt in right.chain(alternatives::right()) {
+            let outcome = attempt.check_with(&seeds, &Silent);
+            assert!(
+                matches!(outcome, Outcome::Right { cases } if 4 <= cases),
+                "{secret}: {}: {outcome:#?}",
+                attempt.about().id()
+            );
+        }
     }
 }
 

@@ -5,6 +5,7 @@
 pub mod attempts;
 mod child;
 pub mod files;
+mod hand_in;
 mod limits;
 pub mod parts;
 pub mod run;

@@ -14,6 +14,7 @@ use raystep::lesson::exercise::{
     About, Attempt, CaseSaid, Commands, Outcome, Report, See, exercises, junit, message,
 };
 
+use crate::hand_in::{HAS_OTHERS, SECRET};
 use crate::limits::MEMORY;
 use crate::{child, files};
 
@@ -181,6 +182,9 @@ pub fn main(words: impl Iterator<Item = String>, attempts: Attempts) -> ExitCode
             say(&format!(
                 "\n● {right} right, ◐ {wrong} wrong, ◐ {broken} broken, ○ {not} not written"
             ));
+            if let Some(note) = hand_in_note() {
+                say(note);
+            }
         }
         Format::Json => {
             let all: Vec<String> = reports.iter().map(Report::to_string).collect();
@@ -192,6 +196,19 @@ pub fn main(words: impl Iterator<Item = String>, attempts: Attempts) -> ExitCode
         ExitCode::SUCCESS
     } else {
         ExitCode::from(101)
+    }
+}
+
+/// Which cases these are, if there are others.
+fn hand_in_note() -> Option<&'static str> {
+    match (SECRET, HAS_OTHERS) {
+        (Some(_), _) => {
+            Some("These are the cases of the hand-in: they are made from the secret alone.")
+        }
+        (None, true) => {
+            Some("What you hand in is checked with other cases too, which are not in this folder.")
+        }
+        (None, false) => None,
     }
 }
 

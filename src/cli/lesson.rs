@@ -1,4 +1,4 @@
-//! `raystep lesson`: the course's exercises written out, listed, shown, hinted at and checked.
+//! `raystep lesson`: the course's exercises written out, handed out, listed, shown, hinted at and checked.
 
 use std::env;
 use std::fmt::Write;
@@ -8,10 +8,12 @@ use std::process::{Command, ExitCode, Stdio};
 
 use raystep::explain::Part;
 use raystep::lesson::exercise::{About, Exercise, Report, exercises};
-use raystep::lesson::{Dependency, course, course_files};
+use raystep::lesson::{Dependency, course, course_files, grading_files, handout_files};
 
 use crate::cli::Error;
 use crate::cli::args::{LessonArgs, LessonVerb, ReportFormat};
+use crate::cli::new_folder;
+use crate::cli::notes::note;
 use crate::cli::output::Output;
 use crate::cli::quiz::Quiz;
 
@@ -19,6 +21,11 @@ use crate::cli::quiz::Quiz;
 pub(crate) fn run(args: &LessonArgs) -> Result<ExitCode, Error> {
     match &args.verb {
         LessonVerb::Start { dir, raystep } => start(dir, raystep.as_deref())?,
+        LessonVerb::Export {
+            dir,
+            secret,
+            raystep,
+        } => export(dir, secret.as_deref(), raystep.as_deref())?,
         LessonVerb::List => print(&list()?)?,
         LessonVerb::Show { lesson } => print(&show(*lesson)?)?,
         LessonVerb::Hint {
@@ -56,31 +63,8 @@ fn print(text: &str) -> Result<(), Error> {
 
 /// Writes the course into a new folder.
 fn start(dir: &Path, raystep: Option<&str>) -> Result<(), Error> {
-    let failed = |source| Error::Write {
-        file: dir.display().to_string(),
-        source,
-    };
-    let is_taken = match fs::read_dir(dir) {
-        Ok(mut entries) => entries.next().is_some(),
-        Err(_) => dir.exists(),
-    };
-    if is_taken {
-        return Err(Error::Exercise {
-            what: format!("{} is there already, and not empty", dir.display()),
-            fix: "choose a new folder: nothing is written over what you have written".into(),
-        });
-    }
-    let dependency = dependency(raystep)?;
-    for (path, bytes) in course_files(&dependency) {
-        let file = dir.join(path);
-        if let Some(folder) = file.parent() {
-            fs::create_dir_all(folder).map_err(failed)?;
-        }
-        fs::write(&file, bytes).map_err(|source| Error::Write {
-            file: file.display().to_string(),
-            source,
-        })?;
-    }
+    new_folder::refuse_taken(dir)?;
+    new_folder::write(dir, &course_files(&dependency(raystep)?))?;
     print(&format!(
         "The course is in {}. Start with lesson 1:\n  cd {}\n  raystep lesson show 01\n  cargo test -p lessons l01\n",
         dir.display(),
@@ -88,7 +72,38 @@ fn start(dir: &Path, raystep: Option<&str>) -> Result<(), Error> {
     ))
 }
 
-/// Where the exercises get raystep from: what looks like a version is one.
+/// Writes what a lecturer hands out, or with a secret the folder in which the hand-in is checked.
+fn export(dir: &Path, secret: Option<&str>, raystep: Option<&str>) -> Result<(), Error> {
+    new_folder::refuse_taken(dir)?;
+    let dependency = dependency(raystep)?;
+    let Some(secret) = secret else {
+        new_folder::write(dir, &handout_files(&dependency))?;
+        return print(&format!(
+            "{} is ready to be handed out: it has no solutions. Its README.md says what students do.\n\
+             The folder in which you check the hand-in, with other cases:\n  raystep lesson export GRADING --secret SEED\n",
+            dir.display()
+        ));
+    };
+    if secret.trim().is_empty() {
+        return Err(Error::Exercise {
+            what: "the secret is empty".into(),
+            fix: "give a long one that nobody guesses, such as 20 random letters".into(),
+        });
+    }
+    new_folder::write(dir, &grading_files(&dependency, secret))?;
+    if secret.chars().count() < LEAST_SECRET {
+        note("this secret is short: who tries all of its length finds it, and with it the cases");
+    }
+    print(&format!(
+        "{} checks the hand-in, with cases made from the secret alone. Keep it to yourself; its README.md says how.\n",
+        dir.display()
+    ))
+}
+
+/// 26¹² is more than anybody tries; of digits there are fewer.
+const LEAST_SECRET: usize = 12;
+
+/// Where the exercises get raystep from: what looks like a version is one, and what looks like an address.
 fn dependency(raystep: Option<&str>) -> Result<Dependency, Error> {
     let Some(raystep) = raystep else {
         return Ok(Dependency::Version(env!("CARGO_PKG_VERSION").into()));
@@ -96,12 +111,15 @@ fn dependency(raystep: Option<&str>) -> Result<Dependency, Error> {
     if raystep.starts_with(|c: char| c.is_ascii_digit() || "^~=<>*".contains(c)) {
         return Ok(Dependency::Version(raystep.into()));
     }
+    if raystep.contains("://") || raystep.starts_with("git@") {
+        return Ok(Dependency::Git(raystep.into()));
+    }
     let folder = Path::new(raystep);
     let is_source = folder.join("Cargo.toml").is_file();
     let absolute = folder.canonicalize().ok().filter(|_| is_source);
     let absolute = absolute.ok_or_else(|| Error::Exercise {
         what: format!("--raystep {raystep}: there is no Cargo.toml in this folder"),
-        fix: "give the folder of raystep's source, or a version such as 0.1.0".into(),
+        fix: "give the folder of raystep's source, the address of a Git repository, or a version such as 0.1.0".into(),
     })?;
     Ok(Dependency::Path(absolute.display().to_string()))
 }

@@ -14,6 +14,7 @@ mod lesson;
 mod light;
 mod light_options;
 mod mdbook;
+mod new_folder;
 mod notes;
 mod one_word;
 mod output;

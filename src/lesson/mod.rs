@@ -29,7 +29,7 @@ pub use library::Lesson;
 pub(crate) use library::Library;
 pub use own_figure::{own_figure, wrong_figure};
 #[cfg(feature = "files")]
-pub use start::{Dependency, course, course_files};
+pub use start::{CourseFile, Dependency, course, course_files, grading_files, handout_files};
 pub use step_figure::{StepFigure, StepFigures, StepStrokes};
 pub use thumbnail::{Thumbnail, thumbnail};
 pub use trace::trace_figure;

@@ -26,7 +26,8 @@ pub(crate) use log::png_bytes;
 pub(crate) use log::{EventWriter, has_text, value_of, write_event};
 pub use log::{
     LOG_VERSION, LightOptions, LineSink, LogError, LogNames, LoggedMistake, LoggedPicture,
-    OfPixels, Spoilt, SpoiltValue, TestsOfRow, begins_log, fields_of, write_log_head, write_of_pixels,
+    OfPixels, Spoilt, SpoiltValue, TestsOfRow, begins_log, fields_of, write_log_head,
+    write_of_pixels,
 };
 #[cfg(feature = "schema")]
 pub use log::{scene_schema, trace_schema};

@@ -8,6 +8,8 @@ use clap::{Args as ClapArgs, Subcommand, ValueEnum};
 #[derive(Debug, ClapArgs)]
 #[command(after_help = "Examples:
   raystep lesson start my-tracer
+  raystep lesson export handout --raystep https://example.org/raystep.git
+  raystep lesson export grading --secret ygrjvchqmtzwfkaelbnu
   raystep lesson show 04
   raystep lesson quiz 04
   raystep lesson hint 04 roots
@@ -26,8 +28,23 @@ pub(crate) enum LessonVerb {
         /// A new or an empty folder
         #[arg(value_name = "DIR")]
         dir: PathBuf,
-        /// Where the exercises get raystep from: a folder with its source, or a version [default: this version]
-        #[arg(long, value_name = "PATH|VERSION")]
+        /// Where the exercises get raystep from: a folder with its source, a Git repository, or a version [default: this version]
+        #[arg(long, value_name = "PATH|URL|VERSION")]
+        raystep: Option<String>,
+    },
+    /// Write what a lecturer hands out: the exercises without solutions, and a workflow that checks each.
+    ///
+    /// With --secret, write the folder in which the lecturer checks the hand-in instead: its cases are made from the secret alone. The
+    /// solutions of the public course are public.
+    Export {
+        /// A new or an empty folder
+        #[arg(value_name = "DIR")]
+        dir: PathBuf,
+        /// Write the folder that checks the hand-in, with cases made from this text
+        #[arg(long, value_name = "SEED")]
+        secret: Option<String>,
+        /// Where the exercises get raystep from: a folder with its source, a Git repository, or a version [default: this version]
+        #[arg(long, value_name = "PATH|URL|VERSION")]
         raystep: Option<String>,
     },
     /// List all exercises with what their last check said: ○ not written, ◐ not right, ● right.

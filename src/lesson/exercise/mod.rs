@@ -19,6 +19,7 @@
 mod about;
 mod answer;
 pub mod course;
+mod keyed_hash;
 mod message;
 mod outcome;
 mod report;
@@ -34,6 +35,7 @@ pub use course::exercises;
 pub use message::{Commands, MOST_LINES, message};
 pub use outcome::{CaseSaid, Compared, Divergence, Outcome};
 pub use report::{Report, junit};
+pub use seeded::Seeds;
 pub use task::{Attempt, Case, Exercise, Form, Task};
 pub use value::Value;
 pub use watch::{Silent, Watch};

@@ -2,6 +2,41 @@
 
 use glam::DVec3;
 
+use crate::lesson::exercise::keyed_hash::keyed_hash;
+
+/// Where the numbers of seeded cases come from: they are the same for everybody, or those of a lecturer's secret.
+///
+/// Each exercise has a stream of its own. Of a secret it begins with a keyed hash, so the cases of one exercise say nothing of
+/// those of another; only whoever can guess the secret can compute them.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Seeds(Option<[u64; 2]>);
+
+impl Seeds {
+    /// Those of the public course.
+    pub const PUBLIC: Self = Self(None);
+
+    /// Those of a secret: any text.
+    pub fn of_secret(secret: &str) -> Self {
+        // two keys that nobody needs to hide, for two halves of a key
+        Self(Some(
+            [1, 2].map(|half| keyed_hash([half, 0], secret.as_bytes())),
+        ))
+    }
+
+    /// Are these the ones of a secret?
+    pub fn are_secret(&self) -> bool {
+        self.0.is_some()
+    }
+
+    /// The numbers of an exercise.
+    pub(super) fn stream(&self, exercise: u64) -> Seeded {
+        Seeded::new(match self.0 {
+            None => exercise,
+            Some(key) => keyed_hash(key, &exercise.to_le_bytes()),
+        })
+    }
+}
+
 /// A stream of numbers, after G. Steele, D. Lea and C. Flood, *Fast splittable pseudorandom number generators* (2014).
 #[derive(Clone, Debug)]
 pub(super) struct Seeded(u64);

@@ -1,5 +1,6 @@
 //! An exercise with its cases, and how it is checked.
 
+use std::collections::BTreeSet;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use glam::DVec3;
@@ -8,7 +9,7 @@ use crate::explain::Part;
 use crate::figure::{SketchForm, SketchMark, Whose, sketch};
 use crate::lesson::exercise::answer::{first_difference, is_same_answer, label};
 use crate::lesson::exercise::{
-    About, Answer, CaseSaid, Compared, Divergence, Outcome, Silent, Value, Watch,
+    About, Answer, CaseSaid, Compared, Divergence, Outcome, Seeds, Silent, Value, Watch,
 };
 use crate::mistake::{Mistake, Wrong, mistake};
 
@@ -18,7 +19,7 @@ pub struct Task<I: 'static, F> {
     /// Its description.
     pub about: About,
     /// The cases: those made by hand first, each with what is special in it, then seeded ones.
-    pub cases: fn() -> Vec<Case<I>>,
+    pub cases: fn(&Seeds) -> Vec<Case<I>>,
     /// What goes into a case, in words.
     pub given: fn(&I) -> String,
     /// What a function gives in a case.
@@ -71,6 +72,9 @@ pub trait Exercise: Sync {
     /// The parts of the quantities that are compared.
     fn compared(&self) -> Vec<Part>;
 
+    /// What goes into each case, in words.
+    fn given(&self, seeds: &Seeds) -> Vec<String>;
+
     /// Checks the crate's own function.
     fn check_own(&self) -> Outcome;
 
@@ -84,7 +88,12 @@ pub trait Attempt {
     fn about(&self) -> &'static About;
 
     /// Is it right? A panic is caught. A function that does not come back never ends the check: that is for the caller to end.
-    fn check(&self, watch: &dyn Watch) -> Outcome;
+    fn check(&self, watch: &dyn Watch) -> Outcome {
+        self.check_with(&Seeds::PUBLIC, watch)
+    }
+
+    /// The same with the cases of other seeds.
+    fn check_with(&self, seeds: &Seeds, watch: &dyn Watch) -> Outcome;
 }
 
 /// A task with a student's function.
@@ -98,9 +107,9 @@ impl<I, F: Copy> Attempt for OfStudent<I, F> {
         &self.task.about
     }
 
-    fn check(&self, watch: &dyn Watch) -> Outcome {
+    fn check_with(&self, seeds: &Seeds, watch: &dyn Watch) -> Outcome {
         let task = self.task;
-        task.check(watch, |input, watch| {
+        task.check(seeds, watch, |input, watch| {
             (task.answer)(self.function, input, watch)
         })
     }
@@ -112,14 +121,19 @@ impl<I: Sync, F: Copy + Sync> Exercise for Task<I, F> {
     }
 
     fn compared(&self) -> Vec<Part> {
-        let cases = (self.cases)();
+        let cases = (self.cases)(&Seeds::PUBLIC);
         let first = cases.first().map(|case| self.expected(&case.input));
         let quantities = first.into_iter().flatten();
         quantities.map(|(part, _, _)| part).collect()
     }
 
+    fn given(&self, seeds: &Seeds) -> Vec<String> {
+        let cases = self.cases_of(seeds);
+        cases.iter().map(|case| (self.given)(&case.input)).collect()
+    }
+
     fn check_own(&self) -> Outcome {
-        self.check(&Silent, |input, watch| {
+        self.check(&Seeds::PUBLIC, &Silent, |input, watch| {
             (self.answer)(self.own, input, watch)
         })
     }
@@ -127,7 +141,7 @@ impl<I: Sync, F: Copy + Sync> Exercise for Task<I, F> {
     fn check_mistake(&self, mistake: &Mistake) -> Option<Outcome> {
         let wrong = &mistake.wrong;
         self.about.mistakes.contains(&mistake.name).then(|| {
-            self.check(&Silent, |input, _| {
+            self.check(&Seeds::PUBLIC, &Silent, |input, _| {
                 (self.mistaken)(wrong, input).unwrap_or_default()
             })
         })
@@ -154,8 +168,27 @@ impl<I, F: Copy> Task<I, F> {
         })
     }
 
-    fn check(&self, watch: &dyn Watch, student: impl Fn(&I, &dyn Watch) -> Answer) -> Outcome {
-        let cases = (self.cases)();
+    /// The cases. Of a secret only those that the public ones have not, if there is any such case.
+    fn cases_of(&self, seeds: &Seeds) -> Vec<Case<I>> {
+        let all = (self.cases)(seeds);
+        if !seeds.are_secret() {
+            return all;
+        }
+        let words = |case: &Case<I>| (self.given)(&case.input);
+        let public: BTreeSet<String> = (self.cases)(&Seeds::PUBLIC).iter().map(words).collect();
+        let (own, known): (Vec<_>, Vec<_>) = all
+            .into_iter()
+            .partition(|case| !public.contains(&words(case)));
+        if own.is_empty() { known } else { own }
+    }
+
+    fn check(
+        &self,
+        seeds: &Seeds,
+        watch: &dyn Watch,
+        student: impl Fn(&I, &dyn Watch) -> Answer,
+    ) -> Outcome {
+        let cases = self.cases_of(seeds);
         let mut failing: Vec<Failing> = Vec::new();
         for (place, case) in cases.iter().enumerate() {
             watch.case(place + 1, &case.note);

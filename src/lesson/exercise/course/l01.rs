@@ -6,9 +6,10 @@ use crate::explain::Part;
 use crate::figure::{SketchForm, SketchMark};
 use crate::geometry::Ray;
 use crate::lesson::exercise::course::shared::{arrow, mark};
-use crate::lesson::exercise::seeded::Seeded;
 use crate::lesson::exercise::value::{number, vector};
-use crate::lesson::exercise::{About, Answer, Case, Exercise, Form, See, Task, Value, answer};
+use crate::lesson::exercise::{
+    About, Answer, Case, Exercise, Form, See, Seeds, Task, Value, answer,
+};
 use crate::mistake::Wrong;
 use crate::scene::Camera;
 use crate::trace::Kind;
@@ -42,7 +43,7 @@ const ASLANT: Camera = Camera {
     pixels: [6, 5],
 };
 
-fn cases() -> Vec<Case<Place>> {
+fn cases(seeds: &Seeds) -> Vec<Case<Place>> {
     let centre = |note: &str, camera: Camera, [column, row]: [u32; 2]| {
         let [x, y] = [column, row].map(|of| f64::from(of) + 0.5);
         Case::new(note, Place { camera, x, y })
@@ -82,7 +83,7 @@ fn cases() -> Vec<Case<Place>> {
         ),
         centre("the window stands aslant, the last row", ASLANT, [2, 4]),
     ];
-    let mut seeded = Seeded::new(1);
+    let mut seeded = seeds.stream(1);
     while cases.len() < 40 {
         let camera = Camera {
             cop: seeded.point(5.0),

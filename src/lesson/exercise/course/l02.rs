@@ -6,8 +6,7 @@ use crate::geometry::{Ray, TRange};
 use crate::lesson::exercise::course::shared::{
     mark, points_at, ray_mark, said_range, said_ray, shapes,
 };
-use crate::lesson::exercise::seeded::Seeded;
-use crate::lesson::exercise::{About, Answer, Case, Exercise, See, Task, Value};
+use crate::lesson::exercise::{About, Answer, Case, Exercise, See, Seeds, Task, Value};
 use crate::mistake::Wrong;
 use crate::scene::{Scene, Shape};
 use crate::strategy::Hit;
@@ -32,7 +31,7 @@ fn row(places: &[(&str, f64)]) -> Scene {
     shapes(&spheres.collect::<Vec<_>>())
 }
 
-fn cases() -> Vec<Case<SceneRay>> {
+fn cases(seeds: &Seeds) -> Vec<Case<SceneRay>> {
     let ahead = Ray::new([0.0, 0.0, 0.0].into(), [0.0, 0.0, -1.0].into());
     let of = |note: &str, places: &[(&str, f64)]| {
         Case::new(
@@ -74,7 +73,7 @@ fn cases() -> Vec<Case<SceneRay>> {
     );
     limited.input.range.max = 3.0;
     cases.push(limited);
-    let mut seeded = Seeded::new(2);
+    let mut seeded = seeds.stream(2);
     while cases.len() < 40 {
         let spheres: Vec<String> = (0..6)
             .map(|name| {

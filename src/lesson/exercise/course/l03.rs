@@ -6,9 +6,8 @@ use crate::explain::Part;
 use crate::figure::SketchForm;
 use crate::geometry::Ray;
 use crate::lesson::exercise::course::shared::{arrow, mark, ray_mark, said_ray};
-use crate::lesson::exercise::seeded::Seeded;
 use crate::lesson::exercise::value::number;
-use crate::lesson::exercise::{About, Answer, Case, Exercise, See, Task, Value, answer};
+use crate::lesson::exercise::{About, Answer, Case, Exercise, See, Seeds, Task, Value, answer};
 use crate::mistake::Wrong;
 use crate::trace::Kind;
 
@@ -18,8 +17,8 @@ fn ray(origin: [f64; 3], direction: [f64; 3]) -> Ray {
     Ray::new(origin.into(), direction.into())
 }
 
-fn seeded_rays() -> Vec<Ray> {
-    let mut seeded = Seeded::new(3);
+fn seeded_rays(seeds: &Seeds) -> Vec<Ray> {
+    let mut seeded = seeds.stream(3);
     let mut of = || {
         let length = seeded.within(0.1, 7.0);
         Ray::new(seeded.point(5.0), seeded.direction() * length)
@@ -59,7 +58,7 @@ pub static POINT_AT_T: Task<RayAndT, fn(&Ray, f64) -> DVec3> = Task {
         take_away: "t measures in lengths of Δ; t < 0 lies behind the origin.",
         next: "l03_normalised",
     },
-    cases: || {
+    cases: |seeds| {
         let case = |note: &str, ray: Ray, t: f64| Case::new(note, RayAndT { ray, t });
         let slanted = ray([0.0, 1.0, 6.0], [3.0, 0.0, -4.0]);
         let mut cases = vec![
@@ -77,7 +76,7 @@ pub static POINT_AT_T: Task<RayAndT, fn(&Ray, f64) -> DVec3> = Task {
                 5.0,
             ),
         ];
-        let rays = seeded_rays().into_iter().zip(0..);
+        let rays = seeded_rays(seeds).into_iter().zip(0..);
         cases.extend(rays.map(|(ray, t)| case("a seeded ray", ray, f64::from(t) - 4.5)));
         cases
     },
@@ -138,7 +137,7 @@ pub static NORMALISED: Task<Ray, fn(&Ray) -> Option<(Ray, f64)>> = Task {
         take_away: "Normalising changes what t measures, and every t that was computed before with it.",
         next: "the figure 03-ray/line-of-t, then lesson 4",
     },
-    cases: || {
+    cases: |seeds| {
         let mut cases = vec![
             Case::new("|Δ| = 5", ray([0.0, 1.0, 6.0], [3.0, 0.0, -4.0])),
             Case::new("|Δ| is 1 already", ray([0.0, 1.0, 6.0], [0.0, 0.0, -1.0])),
@@ -146,7 +145,7 @@ pub static NORMALISED: Task<Ray, fn(&Ray) -> Option<(Ray, f64)>> = Task {
             Case::new("Δ = 0 has no direction", ray([1.0; 3], [0.0; 3])),
         ];
         cases.extend(
-            seeded_rays()
+            seeded_rays(seeds)
                 .into_iter()
                 .map(|ray| Case::new("a seeded ray", ray)),
         );

@@ -4,9 +4,10 @@ use crate::explain::Part;
 use crate::figure::{SketchForm, SketchMark};
 use crate::geometry::{Ray, Roots, Sides, Sphere, TRange};
 use crate::lesson::exercise::course::shared::{mark, points_at, ray_mark, said_range, said_ray};
-use crate::lesson::exercise::seeded::Seeded;
 use crate::lesson::exercise::value::{number, vector};
-use crate::lesson::exercise::{About, Answer, Case, Exercise, Form, See, Task, Value, answer};
+use crate::lesson::exercise::{
+    About, Answer, Case, Exercise, Form, See, Seeds, Task, Value, answer,
+};
 use crate::mistake::Wrong;
 use crate::trace::Kind;
 use crate::tracer::simple::{Own, Parts};
@@ -44,7 +45,7 @@ fn case(
 }
 
 /// The same sphere and ray for all three exercises.
-fn cases() -> Vec<Case<SphereRay>> {
+fn cases(seeds: &Seeds) -> Vec<Case<SphereRay>> {
     let mut cases = vec![
         case(
             "the sphere lies ahead",
@@ -103,7 +104,7 @@ fn cases() -> Vec<Case<SphereRay>> {
             [0.0, 1.0, 0.0],
         ),
     ];
-    let mut seeded = Seeded::new(4);
+    let mut seeded = seeds.stream(4);
     while cases.len() < 60 {
         let center = seeded.point(5.0);
         let radius = seeded.within(0.5, 3.0);
@@ -130,8 +131,8 @@ fn cases() -> Vec<Case<SphereRay>> {
 }
 
 /// With ranges that a ray of the tracer has.
-fn cases_with_ranges() -> Vec<Case<SphereRay>> {
-    let mut cases = cases();
+fn cases_with_ranges(seeds: &Seeds) -> Vec<Case<SphereRay>> {
+    let mut cases = cases(seeds);
     let mut ranged = |note: &str, origin: [f64; 3], direction: [f64; 3], [min, max]: [f64; 2]| {
         let mut new = case(note, [0.0; 3], 1.0, origin, direction);
         new.input.range = TRange { min, max };
@@ -404,7 +405,7 @@ mod tests {
     #[test]
     fn the_cases_by_hand_are_what_their_notes_say() {
         let roots_of = |note: &str| {
-            let cases = cases();
+            let cases = cases(&Seeds::PUBLIC);
             let case = cases.iter().find(|case| case.note.contains(note)).unwrap();
             let [a, b, c] = coefficients(&case.input.sphere, &case.input.ray);
             roots(a, b, c)
@@ -418,6 +419,6 @@ mod tests {
         assert_eq!(roots_of("behind"), [-10.0, -8.0]);
         assert_eq!(roots_of("in the centre"), [-3.0, 3.0]);
         let ahead = DVec3::new(0.0, 1.0, 1.0);
-        assert_eq!(cases()[0].input.ray.at(5.0), ahead);
+        assert_eq!(cases(&Seeds::PUBLIC)[0].input.ray.at(5.0), ahead);
     }
 }

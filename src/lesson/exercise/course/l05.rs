@@ -6,7 +6,6 @@ use crate::explain::Part;
 use crate::figure::{SketchForm, SketchMark};
 use crate::geometry::{Polygon, Ray, Sphere, TRange};
 use crate::lesson::exercise::course::shared::{arrow, mark, said_range, said_ray, scene};
-use crate::lesson::exercise::seeded::Seeded;
 use crate::lesson::exercise::value::{number, vector};
 use crate::lesson::exercise::{About, Answer, Case, Exercise, Form, See, Task, Value, answer};
 use crate::mistake::Wrong;
@@ -83,7 +82,7 @@ pub static NORMALS: Task<ShapePoint, fn(&Shape, DVec3) -> Normals> = Task {
         take_away: "A normal has unit length, and a × b = −(b × a): the order of the edges says which side is the front.",
         next: "l05_light_term",
     },
-    cases: || {
+    cases: |seeds| {
         let at = DVec3::new;
         let corners = |of: [[f64; 3]; 3]| of.map(DVec3::from).to_vec();
         let mut cases = vec![
@@ -122,7 +121,7 @@ pub static NORMALS: Task<ShapePoint, fn(&Shape, DVec3) -> Normals> = Task {
             [0.0, 2.0, 5.0],
         ];
         cases.extend(on_polygon("a square", square.map(DVec3::from).to_vec()));
-        let mut seeded = Seeded::new(5);
+        let mut seeded = seeds.stream(5);
         while cases.len() < 40 {
             cases.push(on_sphere(
                 "a seeded sphere",
@@ -266,7 +265,7 @@ pub static LIGHT_TERM: Task<Lit, fn(&Light, &Material, DVec3, DVec3, DVec3) -> P
         take_away: "Each term is cut off at 0 on its own; a light behind the surface gives neither.",
         next: "l05_epsilon",
     },
-    cases: || {
+    cases: |seeds| {
         let (o, up) = (DVec3::ZERO, DVec3::Y);
         let slant = DVec3::new(0.6, 0.8, 0.0);
         let mut cases = vec![
@@ -320,7 +319,7 @@ pub static LIGHT_TERM: Task<Lit, fn(&Light, &Material, DVec3, DVec3, DVec3) -> P
                 DVec3::new(0.96, 0.28, 0.0),
             ),
         ];
-        let mut seeded = Seeded::new(55);
+        let mut seeded = seeds.stream(55);
         while cases.len() < 40 {
             let (normal, to_viewer) = (seeded.direction(), seeded.direction());
             let new = lit(
@@ -427,7 +426,7 @@ pub static EPSILON: Task<PointAndT, fn(DVec3, f64, f64) -> f64> = Task {
         take_away: "ε grows with the scene: a fixed one is too small for large scenes (acne) or too large for small ones.",
         next: "l05_blocked",
     },
-    cases: || {
+    cases: |seeds| {
         let case = |note: &str, point: [f64; 3], t: f64, reach: f64| {
             let point = point.into();
             // in billionths, so that a small ε can be compared
@@ -445,7 +444,7 @@ pub static EPSILON: Task<PointAndT, fn(DVec3, f64, f64) -> f64> = Task {
             case("a large scene", [1e6, 0.0, -2e6], 3e6, 2e6),
             case("the surface is a huge sphere", [3.0, -4.0, 2.0], 1.0, 1e9),
         ];
-        let mut seeded = Seeded::new(555);
+        let mut seeded = seeds.stream(555);
         while cases.len() < 25 {
             cases.push(case(
                 "seeded",
@@ -560,7 +559,7 @@ pub static BLOCKED: Task<ShadowRay, fn(&Scene, &Ray, TRange) -> bool> = Task {
         take_away: "The shadow ray starts on a surface and ends at the light: both ends of its range matter.",
         next: "l05_shade",
     },
-    cases: || {
+    cases: |seeds| {
         let above = with_balls(&[([0.0, 4.0, 0.0], 1.0)], "");
         let beyond = with_balls(&[([0.0, 11.0, 0.0], 1.0)], "");
         let beside = with_balls(&[([3.0, 4.0, 0.0], 0.5)], "");
@@ -617,7 +616,7 @@ pub static BLOCKED: Task<ShadowRay, fn(&Scene, &Ray, TRange) -> bool> = Task {
                 1,
             ),
         ];
-        let mut seeded = Seeded::new(5555);
+        let mut seeded = seeds.stream(5555);
         while cases.len() < 40 {
             let balls: Vec<_> = (0..4)
                 .map(|_| {
@@ -718,7 +717,7 @@ pub static SHADE: Task<Seen, fn(&Scene, &Surface<'_>) -> DVec3> = Task {
         take_away: "Ambient light has no lamp: it is added once, before the loop over the lights.",
         next: "lesson 6, and your own picture",
     },
-    cases: || {
+    cases: |seeds| {
         let one = with_balls(&[([0.0, 4.0, 0.0], 1.0)], "");
         let down = |note: &str, scene: &Scene, to: [f64; 3]| {
             let cop = scene.camera.cop;
@@ -752,7 +751,7 @@ pub static SHADE: Task<Seen, fn(&Scene, &Surface<'_>) -> DVec3> = Task {
                 [0.0, 4.0, 0.0],
             ),
         ];
-        let mut seeded = Seeded::new(55555);
+        let mut seeded = seeds.stream(55555);
         while cases.len() < 30 {
             cases.push(down(
                 "a seeded point of the floor",

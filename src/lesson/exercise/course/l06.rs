@@ -8,7 +8,7 @@ use crate::geometry::{Axis, Polygon, Ray, Sides, TRange};
 use crate::lesson::exercise::course::shared::{mark, points_at, ray_mark, said_range, said_ray};
 use crate::lesson::exercise::seeded::Seeded;
 use crate::lesson::exercise::value::{number, vector};
-use crate::lesson::exercise::{About, Answer, Case, Exercise, See, Task, Value, answer};
+use crate::lesson::exercise::{About, Answer, Case, Exercise, See, Seeds, Task, Value, answer};
 use crate::mistake::Wrong;
 use crate::trace::Kind;
 use crate::tracer::simple::{Own, Parts};
@@ -105,8 +105,7 @@ const GAP: [[f64; 3]; 8] = [
     [0.0, 4.0, 0.0],
 ];
 
-fn seeded_polygons(count: usize, seed: u64, note: &str) -> Vec<Case<PolygonRay>> {
-    let mut seeded = Seeded::new(seed);
+fn seeded_polygons(count: usize, mut seeded: Seeded, note: &str) -> Vec<Case<PolygonRay>> {
     let mut cases = Vec::new();
     while cases.len() < count {
         let [center, u] = [seeded.point(4.0), seeded.direction()];
@@ -196,7 +195,7 @@ pub static PLANE_T: Task<PolygonRay, fn(&Polygon, &Ray, TRange, Sides) -> Option
         take_away: "Parallel rays are sorted out before the division; a plane behind the origin has a negative t.",
         next: "the figure 06-polygon/parallel, then l06_dropped_axis",
     },
-    cases: || {
+    cases: |seeds| {
         let mut cases = vec![
             case(
                 "the ray hits the plane at a right angle",
@@ -255,7 +254,11 @@ pub static PLANE_T: Task<PolygonRay, fn(&Polygon, &Ray, TRange, Sides) -> Option
         );
         limited.input.range.max = 4.0;
         cases.push(limited);
-        cases.extend(seeded_polygons(30, 6, "a seeded polygon and ray"));
+        cases.extend(seeded_polygons(
+            30,
+            seeds.stream(6),
+            "a seeded polygon and ray",
+        ));
         cases
     },
     given,
@@ -311,7 +314,7 @@ pub static DROPPED_AXIS: Task<DVec3, fn(DVec3) -> Axis> = Task {
         take_away: "Seen along the axis of the largest coefficient, the outline is never thin.",
         next: "the figure 06-polygon/badly-chosen, then l06_crossings",
     },
-    cases: || {
+    cases: |seeds| {
         let case = |note: &str, normal: [f64; 3]| Case::new(note, DVec3::from(normal));
         let mut cases = vec![
             case("a floor: the normal is the y axis", [0.0, 1.0, 0.0]),
@@ -320,7 +323,7 @@ pub static DROPPED_AXIS: Task<DVec3, fn(DVec3) -> Axis> = Task {
             case("a negative coefficient is the largest", [0.48, -0.8, 0.36]),
             case("two negative coefficients", [-0.6, 0.0, -0.8]),
         ];
-        let mut seeded = Seeded::new(66);
+        let mut seeded = seeds.stream(66);
         while cases.len() < 30 {
             let normal = seeded.direction();
             let mut sizes = normal.abs().to_array();
@@ -354,7 +357,7 @@ pub static DROPPED_AXIS: Task<DVec3, fn(DVec3) -> Axis> = Task {
 };
 
 /// Polygons across z, hit from the front along −z: then p′ is (x, y) of the ray.
-fn flat_cases() -> Vec<Case<PolygonRay>> {
+fn flat_cases(seeds: &Seeds) -> Vec<Case<PolygonRay>> {
     let at = |note: &str, vertices: &[[f64; 3]], [x, y]: [f64; 2]| {
         case(note, vertices, [x, y, 9.0], [0.0, 0.0, -1.0])
     };
@@ -408,7 +411,7 @@ fn flat_cases() -> Vec<Case<PolygonRay>> {
             [-1.0, 0.0],
         ),
     ];
-    let mut seeded = Seeded::new(666);
+    let mut seeded = seeds.stream(666);
     while cases.len() < 50 {
         let [x, y] = [seeded.within(-1.0, 8.0), seeded.within(-1.0, 5.0)];
         let vertices: &[[f64; 3]] = if seeded.number() < 0.5 { &PEAKS } else { &GAP };
@@ -534,7 +537,7 @@ pub static INSIDE: Task<PolygonRay, fn(&Polygon, &Ray, f64) -> bool> = Task {
         take_away: "Point in polygon is a question in the plane: drop a coordinate, then count.",
         next: "lesson 7, and your own picture",
     },
-    cases: || {
+    cases: |seeds| {
         let mut cases = vec![
             case(
                 "a polygon across z, inside",
@@ -566,8 +569,12 @@ pub static INSIDE: Task<PolygonRay, fn(&Polygon, &Ray, f64) -> bool> = Task {
                 [1.0, 0.0, 0.0],
             ),
         ];
-        cases.extend(flat_cases());
-        cases.extend(seeded_polygons(40, 6666, "a seeded polygon, aslant"));
+        cases.extend(flat_cases(seeds));
+        cases.extend(seeded_polygons(
+            40,
+            seeds.stream(6666),
+            "a seeded polygon, aslant",
+        ));
         cases
     },
     given: |case| {

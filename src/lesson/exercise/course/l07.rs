@@ -44,8 +44,7 @@ fn case(
     )
 }
 
-fn seeded_cases(seed: u64) -> Vec<Case<AtSurface>> {
-    let mut seeded = Seeded::new(seed);
+fn seeded_cases(mut seeded: Seeded) -> Vec<Case<AtSurface>> {
     let mut cases = Vec::new();
     while cases.len() < 30 {
         let (direction, normal) = (seeded.direction(), seeded.direction());
@@ -91,7 +90,7 @@ pub static REFLECT: Task<AtSurface, fn(DVec3, DVec3) -> DVec3> = Task {
         take_away: "The part along N changes its sign and the part across it stays: the side that N points to does not matter.",
         next: "l07_refract",
     },
-    cases: || {
+    cases: |seeds| {
         let none = [1.0, 1.0];
         let mut cases = vec![
             case(
@@ -120,7 +119,7 @@ pub static REFLECT: Task<AtSurface, fn(DVec3, DVec3) -> DVec3> = Task {
                 none,
             ),
         ];
-        cases.extend(seeded_cases(7));
+        cases.extend(seeded_cases(seeds.stream(7)));
         cases
     },
     given: |case| {
@@ -206,7 +205,7 @@ pub static REFRACT: Task<AtSurface, fn(DVec3, DVec3, f64, f64) -> Refraction> = 
         take_away: "Out of the glass the ratio is inverted, and beyond the critical angle no ray leaves.",
         next: "the figure 07-reflection-refraction/total-internal-reflection, then l07_children",
     },
-    cases: || {
+    cases: |seeds| {
         let up = [0.0, 1.0, 0.0];
         let mut cases = vec![
             case("straight into glass", [0.0, -1.0, 0.0], up, [1.0, 1.5]),
@@ -235,7 +234,7 @@ pub static REFRACT: Task<AtSurface, fn(DVec3, DVec3, f64, f64) -> Refraction> = 
                 [1.3, 1.3],
             ),
         ];
-        cases.extend(seeded_cases(77));
+        cases.extend(seeded_cases(seeds.stream(77)));
         cases
     },
     given: |case| {
@@ -328,7 +327,7 @@ pub static CHILDREN: Task<Seen, fn(&Scene, &Surface<'_>) -> DVec3> = Task {
         take_away: "Each child counts with its coefficient, and the tree of rays ends in black, not in the background.",
         next: "lesson 8, and your own picture",
     },
-    cases: || {
+    cases: |seeds| {
         let at = |note: &str, scene: &Scene, to: [f64; 3]| {
             let cop = scene.camera.cop;
             let ray = Ray::new(cop, (DVec3::from(to) - cop).normalize());
@@ -371,7 +370,7 @@ pub static CHILDREN: Task<Seen, fn(&Scene, &Surface<'_>) -> DVec3> = Task {
             at("glass at the depth limit", &ball(GLASS, 1), [0.5, 0.5, 1.9]),
             inside,
         ];
-        let mut seeded = Seeded::new(777);
+        let mut seeded = seeds.stream(777);
         while cases.len() < 24 {
             let to = [seeded.within(-1.5, 1.5), seeded.within(-1.0, 1.0), 1.0];
             let material = if cases.len() % 2 == 0 { MIRROR } else { GLASS };
@@ -406,10 +405,11 @@ pub static CHILDREN: Task<Seen, fn(&Scene, &Surface<'_>) -> DVec3> = Task {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::lesson::exercise::Seeds;
 
     #[test]
     fn each_name_of_a_case_is_what_the_scene_shows() {
-        let cases = (CHILDREN.cases)();
+        let cases = (CHILDREN.cases)(&Seeds::PUBLIC);
         let of = |word: &str| {
             let case = cases.iter().find(|case| case.note.contains(word)).unwrap();
             at_surface(&case.input, |surface| {

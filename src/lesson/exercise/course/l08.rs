@@ -7,7 +7,6 @@ use glam::DVec3;
 use crate::explain::Part;
 use crate::figure::SketchForm;
 use crate::lesson::exercise::course::shared::{arrow, mark};
-use crate::lesson::exercise::seeded::Seeded;
 use crate::lesson::exercise::value::{number, vector};
 use crate::lesson::exercise::{About, Answer, Case, Exercise, Form, See, Task, Value, answer};
 use crate::trace::geometry_term;
@@ -87,7 +86,7 @@ pub static DIFFUSE_DIRECTION: Task<DVec3, fn(DVec3, f64, f64) -> DVec3> = Task {
         take_away: "Uniform points of the disc, lifted to the hemisphere, have the pdf cos θ/π: Lambert's law.",
         next: "l08_irradiance",
     },
-    cases: || {
+    cases: |seeds| {
         let case = |note: &str, normal: [f64; 3]| Case::new(note, DVec3::from(normal));
         let mut cases = vec![
             case("all directions around the z axis", [0.0, 0.0, 1.0]),
@@ -96,7 +95,7 @@ pub static DIFFUSE_DIRECTION: Task<DVec3, fn(DVec3, f64, f64) -> DVec3> = Task {
             case("the normal is −z", [0.0, 0.0, -1.0]),
             case("a slanted normal", [0.48, 0.6, 0.64]),
         ];
-        let mut seeded = Seeded::new(8);
+        let mut seeded = seeds.stream(8);
         cases.extend((0..4).map(|_| Case::new("a seeded normal", seeded.direction())));
         cases
     },
@@ -164,7 +163,7 @@ pub static IRRADIANCE: Task<Photons, fn(&[(f64, f64)], usize) -> f64> = Task {
         take_away: "The photon on the rim made the disc: to count it too would be too much on average, by k/(k − 1).",
         next: "the figure 08-transport/gather, then l08_geometry_term",
     },
-    cases: || {
+    cases: |seeds| {
         let case = |note: &str, photons: &[(f64, f64)], k: usize| {
             Case::new(
                 note,
@@ -186,7 +185,7 @@ pub static IRRADIANCE: Task<Photons, fn(&[(f64, f64)], usize) -> f64> = Task {
             case("fewer than k photons are there: all are taken", &three, 10),
             case("no photon: no light", &[], 3),
         ];
-        let mut seeded = Seeded::new(88);
+        let mut seeded = seeds.stream(88);
         while cases.len() < 25 {
             let photons: Vec<_> = (0..12)
                 .map(|_| (seeded.within(0.1, 2.0), seeded.within(0.1, 1.0)))
@@ -266,7 +265,7 @@ pub static GEOMETRY_TERM: Task<TwoSurfaces, fn(DVec3, DVec3, DVec3, DVec3) -> f6
         take_away: "Each surface has its own cosine, towards the other one; the square of the distance thins the light.",
         next: "lesson 9",
     },
-    cases: || {
+    cases: |seeds| {
         let case = |note: &str, [from, normal_from, to, normal_to]: [[f64; 3]; 4]| {
             let of = DVec3::from;
             Case::new(
@@ -300,7 +299,7 @@ pub static GEOMETRY_TERM: Task<TwoSurfaces, fn(DVec3, DVec3, DVec3, DVec3) -> f6
                 [o, down, [0.0, 2.0, 0.0], up],
             ),
         ];
-        let mut seeded = Seeded::new(888);
+        let mut seeded = seeds.stream(888);
         while cases.len() < 30 {
             let new = [
                 seeded.point(3.0),

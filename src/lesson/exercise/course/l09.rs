@@ -6,7 +6,6 @@ use crate::explain::Part;
 use crate::figure::SketchForm;
 use crate::geometry::{Alignment, Ray};
 use crate::lesson::exercise::course::shared::{mark, ray_mark, said_ray};
-use crate::lesson::exercise::seeded::Seeded;
 use crate::lesson::exercise::value::number;
 use crate::lesson::exercise::{About, Answer, Case, Exercise, Form, See, Task, Value};
 use crate::trace::Kind;
@@ -50,7 +49,7 @@ pub static COST: Task<Counted, fn([u64; 2], u64, u64, u64) -> u64> = Task {
         take_away: "A picture of 1024 × 1024 pixels with 100 objects takes 100 million tests: most of the time goes here.",
         next: "the figure 09-cost/strategies, then l09_align",
     },
-    cases: || {
+    cases: |seeds| {
         let case = |note: &str, pixels: [u64; 2], objects: u64, lit: u64, lights: u64| {
             Case::new(
                 note,
@@ -87,7 +86,7 @@ pub static COST: Task<Counted, fn([u64; 2], u64, u64, u64) -> u64> = Task {
             case("no light: no shadow rays", [100, 50], 10, 5000, 0),
             case("no objects: no tests", [100, 50], 0, 0, 2),
         ];
-        let mut seeded = Seeded::new(9);
+        let mut seeded = seeds.stream(9);
         while cases.len() < 15 {
             let mut below = |end| u64::from(seeded.below(end));
             let pixels = [1 + below(2000), 1 + below(2000)];
@@ -169,7 +168,7 @@ pub static ALIGN: Task<Ray, fn(&Ray) -> Alignment> = Task {
         take_away: "A rotation keeps lengths, so z in the frame is t; and its inverse is its transpose.",
         next: "l09_z_sort",
     },
-    cases: || {
+    cases: |seeds| {
         let case = |note: &str, origin: [f64; 3], direction: [f64; 3]| {
             Case::new(note, Ray::new(origin.into(), direction.into()))
         };
@@ -185,7 +184,7 @@ pub static ALIGN: Task<Ray, fn(&Ray) -> Alignment> = Task {
             case("the ray runs along −z", [0.0, 0.0, 5.0], [0.0, 0.0, -1.0]),
             case("a slanted ray", [1.0, 0.0, 0.0], [0.6, 0.0, 0.8]),
         ];
-        let mut seeded = Seeded::new(99);
+        let mut seeded = seeds.stream(99);
         cases.extend((0..20).map(|_| {
             Case::new(
                 "a seeded ray",
@@ -260,7 +259,7 @@ pub static Z_SORT: Task<Hits, fn(&Alignment, &[f64]) -> Option<(usize, DVec3)>> 
         take_away: "In the frame a search for the nearest hit is a sort by one number; then the point is transformed back.",
         next: "the figure 10-bounds/alignment, then lesson 10",
     },
-    cases: || {
+    cases: |seeds| {
         let case = |note: &str, direction: [f64; 3], z: &[f64]| {
             let ray = Ray::new(DVec3::new(1.0, 2.0, 3.0), direction.into());
             Case::new(note, Hits { ray, z: z.to_vec() })
@@ -274,7 +273,7 @@ pub static Z_SORT: Task<Hits, fn(&Alignment, &[f64]) -> Option<(usize, DVec3)>> 
             case("all hits behind the origin", slant, &[-1.0, -5.0]),
             case("no hit", slant, &[]),
         ];
-        let mut seeded = Seeded::new(999);
+        let mut seeded = seeds.stream(999);
         while cases.len() < 25 {
             let z: Vec<f64> = (0..6).map(|_| seeded.within(-3.0, 9.0)).collect();
             cases.push(case("six seeded hits", seeded.direction().to_array(), &z));

@@ -6,7 +6,6 @@ use crate::explain::Part;
 use crate::figure::{SketchForm, SketchMark};
 use crate::geometry::{AxisBox, Inside, PARALLEL, Ray, SlabInterval, SlabRay, Sphere, TRange};
 use crate::lesson::exercise::course::shared::{arrow, mark, said_ray};
-use crate::lesson::exercise::seeded::Seeded;
 use crate::lesson::exercise::value::{number, vector};
 use crate::lesson::exercise::{About, Answer, Case, Exercise, Form, See, Task, Value};
 use crate::mistake::Wrong;
@@ -70,7 +69,7 @@ pub static SPHERE_AROUND: Task<AxisBox, fn(&AxisBox) -> Sphere> = Task {
         take_away: "A sphere is quick to test, but around a long box most of it is empty: wasted tests.",
         next: "the figure 10-bounds/volumes, then l10_slab_of",
     },
-    cases: || {
+    cases: |seeds| {
         let case = |note: &str, min: [f64; 3], max: [f64; 3]| {
             Case::new(
                 note,
@@ -95,7 +94,7 @@ pub static SPHERE_AROUND: Task<AxisBox, fn(&AxisBox) -> Sphere> = Task {
                 [-1.0, -2.0, -1.0],
             ),
         ];
-        let mut seeded = Seeded::new(10);
+        let mut seeded = seeds.stream(10);
         while cases.len() < 20 {
             let around = AxisBox::around([seeded.point(5.0), seeded.point(5.0)]);
             cases.push(Case::new("a seeded box", around));
@@ -162,7 +161,7 @@ pub static SLAB_OF: Task<Object, fn(&[DVec3], DVec3) -> [f64; 2]> = Task {
         take_away: "A larger D is a plane further back along the normal: D_min belongs to the furthest vertex.",
         next: "the figure 10-bounds/slabs, then l10_slab_ray",
     },
-    cases: || {
+    cases: |seeds| {
         let case = |note: &str, points: &[[f64; 3]], n: [f64; 3]| {
             let points = points.iter().map(|point| DVec3::from(*point)).collect();
             Case::new(
@@ -189,7 +188,7 @@ pub static SLAB_OF: Task<Object, fn(&[DVec3], DVec3) -> [f64; 2]> = Task {
                 [-1.0, 0.0, 0.0],
             ),
         ];
-        let mut seeded = Seeded::new(110);
+        let mut seeded = seeds.stream(110);
         while cases.len() < 25 {
             let points: Vec<[f64; 3]> = (0..5).map(|_| seeded.point(4.0).to_array()).collect();
             cases.push(case(
@@ -272,7 +271,7 @@ pub static SLAB_RAY: Task<RayNormal, fn(&Ray, DVec3) -> SlabRay> = Task {
         take_away: "S and T are computed once for a ray; each slab of any object then costs an addition and a product.",
         next: "l10_slab_interval",
     },
-    cases: || {
+    cases: |seeds| {
         let case = |note: &str, origin: [f64; 3], direction: [f64; 3], n: [f64; 3]| {
             Case::new(
                 note,
@@ -310,7 +309,7 @@ pub static SLAB_RAY: Task<RayNormal, fn(&Ray, DVec3) -> SlabRay> = Task {
                 x,
             ),
         ];
-        let mut seeded = Seeded::new(1010);
+        let mut seeded = seeds.stream(1010);
         while cases.len() < 25 {
             let [direction, n] = [seeded.direction(), seeded.direction()];
             if 0.05 < direction.dot(n).abs() {
@@ -385,7 +384,7 @@ pub static SLAB_INTERVAL: Task<LineSlab, fn(&SlabRay, f64, f64) -> SlabInterval>
         take_away: "Parallel is its own case, before any product: 0·∞ is no number.",
         next: "the figure 10-bounds/intervals, then l10_interval",
     },
-    cases: || {
+    cases: |seeds| {
         let case = |note: &str, origin: f64, direction: f64, [d_min, d_max]: [f64; 2]| {
             let ray = Ray::new(DVec3::X * origin, DVec3::new(direction, 1.0, 0.0));
             let line = SlabRay::new(&ray, DVec3::X);
@@ -418,7 +417,7 @@ pub static SLAB_INTERVAL: Task<LineSlab, fn(&SlabRay, f64, f64) -> SlabInterval>
                 slab,
             ),
         ];
-        let mut seeded = Seeded::new(1011);
+        let mut seeded = seeds.stream(1011);
         while cases.len() < 40 {
             let low = seeded.within(-5.0, 5.0);
             let direction = seeded.within(-2.0, 2.0);
@@ -501,7 +500,7 @@ pub static INTERVAL: Task<OneMore, fn(Inside, SlabInterval) -> Inside> = Task {
         take_away: "The largest near and the smallest far decide; the interval is empty where they have crossed.",
         next: "the figure 10-bounds/null, then l10_bound_verdict",
     },
-    cases: || {
+    cases: |seeds| {
         let case = |note: &str, [near, far]: [f64; 2], slab: SlabInterval| {
             Case::new(
                 note,
@@ -552,7 +551,7 @@ pub static INTERVAL: Task<OneMore, fn(Inside, SlabInterval) -> Inside> = Task {
             ),
             case("they touch at one t", [2.0, 6.0], between(6.0, 9.0)),
         ];
-        let mut seeded = Seeded::new(1012);
+        let mut seeded = seeds.stream(1012);
         while cases.len() < 30 {
             let [near, low] = [seeded.within(-5.0, 5.0), seeded.within(-5.0, 5.0)];
             let ends = [near, near + seeded.within(0.1, 6.0)];
@@ -620,7 +619,7 @@ pub static BOUND_VERDICT: Task<Bounded, fn(Option<[f64; 2]>, TRange) -> BoundVer
         take_away: "A hit with the volume is no hit with the object, and a negative near means that the ray starts inside.",
         next: "l10_union",
     },
-    cases: || {
+    cases: |seeds| {
         let case = |note: &str, inside: Option<[f64; 2]>, [min, max]: [f64; 2]| {
             Case::new(
                 note,
@@ -656,7 +655,7 @@ pub static BOUND_VERDICT: Task<Bounded, fn(Option<[f64; 2]>, TRange) -> BoundVer
                 [0.0, 3.0],
             ),
         ];
-        let mut seeded = Seeded::new(1013);
+        let mut seeded = seeds.stream(1013);
         while cases.len() < 25 {
             let near = seeded.within(-5.0, 5.0);
             let ends = [near, near + seeded.within(0.1, 4.0)];
@@ -731,7 +730,7 @@ pub static UNION: Task<TwoBounds, fn(&[[f64; 2]], &[[f64; 2]]) -> Vec<[f64; 2]>>
         take_away: "Slabs of the same directions are joined number by number, without looking at the objects again.",
         next: "the figure 10-bounds/merge, then lesson 11",
     },
-    cases: || {
+    cases: |seeds| {
         let case = |note: &str, one: &[[f64; 2]], other: &[[f64; 2]]| {
             Case::new(
                 note,
@@ -764,7 +763,7 @@ pub static UNION: Task<TwoBounds, fn(&[[f64; 2]], &[[f64; 2]]) -> Vec<[f64; 2]>>
             ),
             case("seven slabs", &[[0.0, 1.0]; 7], &[[0.5, 2.0]; 7]),
         ];
-        let mut seeded = Seeded::new(1014);
+        let mut seeded = seeds.stream(1014);
         while cases.len() < 20 {
             let mut slabs = || -> Vec<[f64; 2]> {
                 let mut slab = || {

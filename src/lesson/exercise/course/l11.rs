@@ -9,10 +9,11 @@ use crate::figure::{SketchForm, SketchMark};
 use crate::geometry::{AxisBox, Ray, TRange};
 use crate::lesson::exercise::course::l02::{SceneRay, marks, of_hit, said, scenery};
 use crate::lesson::exercise::course::shared::{mark, shapes};
-use crate::lesson::exercise::seeded::Seeded;
 use crate::lesson::exercise::supplied::{Below, Tree};
 use crate::lesson::exercise::value::number;
-use crate::lesson::exercise::{About, Answer, Case, Exercise, Form, See, Silent, Task, Value};
+use crate::lesson::exercise::{
+    About, Answer, Case, Exercise, Form, See, Seeds, Silent, Task, Value,
+};
 use crate::mistake::Wrong;
 use crate::scene::PrimitiveId;
 use crate::strategy::Hit;
@@ -33,7 +34,7 @@ fn spheres(places: &[([f64; 3], f64)]) -> Vec<String> {
     ('A'..).zip(places).map(of).collect()
 }
 
-fn cases() -> Vec<Case<SceneRay>> {
+fn cases(seeds: &Seeds) -> Vec<Case<SceneRay>> {
     let case = |note: &str, places: &[([f64; 3], f64)], direction: [f64; 3]| {
         let ray = Ray::new(DVec3::ZERO, direction.into());
         Case::new(
@@ -99,7 +100,7 @@ fn cases() -> Vec<Case<SceneRay>> {
         ),
         case("one object", &[(z(-4.0), 1.0)], ahead),
     ];
-    let mut seeded = Seeded::new(11);
+    let mut seeded = seeds.stream(11);
     while cases.len() < 40 {
         let places: Vec<_> = (0..9)
             .map(|_| (seeded.point(5.0).to_array(), seeded.within(0.4, 1.6)))
@@ -392,7 +393,7 @@ pub static SPLIT_COST: Task<Cut, fn(f64, f64, [(f64, usize); 2]) -> f64> = Task 
         take_away: "A good cut puts many objects into little area: a ray seldom comes there.",
         next: "lesson 12",
     },
-    cases: || {
+    cases: |seeds| {
         let case = |note: &str, node_cost: f64, area: f64, halves: [(f64, usize); 2]| {
             Case::new(
                 note,
@@ -425,7 +426,7 @@ pub static SPLIT_COST: Task<Cut, fn(f64, f64, [(f64, usize); 2]) -> f64> = Task 
                 [(0.0, 0), (10.0, 8)],
             ),
         ];
-        let mut seeded = Seeded::new(1111);
+        let mut seeded = seeds.stream(1111);
         while cases.len() < 20 {
             let area = seeded.within(5.0, 20.0);
             let mut half = || (seeded.within(0.1, 1.0) * area, seeded.below(50) as usize);
@@ -469,7 +470,7 @@ mod tests {
     #[test]
     fn both_searches_find_what_testing_every_object_finds() {
         let mut hits = 0;
-        for case in cases() {
+        for case in cases(&Seeds::PUBLIC) {
             let SceneRay { scene, ray, range } = &case.input;
             let expected = Own.nearest(scene, ray, *range);
             for search in [hier_traverse, heap] {

@@ -7,7 +7,6 @@ use crate::figure::{SketchForm, SketchMark};
 use crate::geometry::{AxisBox, Ray, TRange};
 use crate::lesson::exercise::course::l02::of_hit;
 use crate::lesson::exercise::course::shared::{mark, ray_mark, said_ray, shapes};
-use crate::lesson::exercise::seeded::Seeded;
 use crate::lesson::exercise::supplied::Cells;
 use crate::lesson::exercise::value::{number, vector};
 use crate::lesson::exercise::{About, Answer, Case, Exercise, See, Silent, Task, Value, Watch};
@@ -124,7 +123,7 @@ pub static OBJECT_TO_CELLS: Task<Boxed, fn(&AxisBox, [u32; 3], &AxisBox) -> [[u3
         take_away: "An object is listed in every cell that its box touches: the mailbox spares the repeated tests.",
         next: "the figures 12-grid/lists and 12-grid/mailbox, then l12_cell_of",
     },
-    cases: || {
+    cases: |seeds| {
         let case = |note: &str,
                     (around, resolution): (AxisBox, [u32; 3]),
                     min: [f64; 3],
@@ -170,7 +169,7 @@ pub static OBJECT_TO_CELLS: Task<Boxed, fn(&AxisBox, [u32; 3], &AxisBox) -> [[u3
                 [5.0, 1.6, 1.6],
             ),
         ];
-        let mut seeded = Seeded::new(12);
+        let mut seeded = seeds.stream(12);
         while cases.len() < 25 {
             let low = seeded.point(1.5) + 2.0;
             let high = low + seeded.point(0.5) + 0.6;
@@ -253,7 +252,7 @@ pub static CELL_OF: Task<Located, fn(&AxisBox, [u32; 3], DVec3) -> [u32; 3]> = T
         take_away: "A cell owns its lower faces; the last one owns its upper face as well.",
         next: "l12_first_planes",
     },
-    cases: || {
+    cases: |seeds| {
         let case = |note: &str, (around, resolution): (AxisBox, [u32; 3]), point: [f64; 3]| {
             Case::new(
                 note,
@@ -284,7 +283,7 @@ pub static CELL_OF: Task<Located, fn(&AxisBox, [u32; 3], DVec3) -> [u32; 3]> = T
                 [3.0, 1.75, 2.0],
             ),
         ];
-        let mut seeded = Seeded::new(1212);
+        let mut seeded = seeds.stream(1212);
         while cases.len() < 30 {
             let share = seeded.point(0.5) + 0.5;
             let point = FLAT.min + share * FLAT.size();
@@ -394,7 +393,7 @@ pub static FIRST_PLANES: Task<InCell, fn(&AxisBox, [u32; 3], &Ray, [u32; 3]) -> 
             take_away: "Downwards the next plane is the lower one of the cell; t only grows, whichever way the ray runs.",
             next: "l12_next_cell",
         },
-        cases: || {
+        cases: |seeds| {
             let case = |note: &str,
                         (around, resolution): (AxisBox, [u32; 3]),
                         origin: [f64; 3],
@@ -450,7 +449,7 @@ pub static FIRST_PLANES: Task<InCell, fn(&AxisBox, [u32; 3], &Ray, [u32; 3]) -> 
                     [4.0, 2.0, 8.0],
                 ),
             ];
-            let mut seeded = Seeded::new(121);
+            let mut seeded = seeds.stream(121);
             while cases.len() < 30 {
                 let origin = FLAT.min + (seeded.point(0.45) + 0.5) * FLAT.size();
                 let direction = seeded.direction();
@@ -560,7 +559,7 @@ pub static NEXT_CELL: Task<InCell, fn([u32; 3], [f64; 3], DVec3, [u32; 3]) -> Op
             take_away: "One plane, one step: a line-drawing algorithm leaves out the cells in between.",
             next: "the figure 12-grid/steps, then l12_walk_ends",
         },
-        cases: || {
+        cases: |seeds| {
             let case = |note: &str, origin: [f64; 3], direction: [f64; 3]| {
                 let ray = Ray::new(origin.into(), direction.into());
                 let cell = cell_of(&AROUND, [4; 3], ray.origin);
@@ -606,7 +605,7 @@ pub static NEXT_CELL: Task<InCell, fn([u32; 3], [f64; 3], DVec3, [u32; 3]) -> Op
                     [-1.0, 0.25, 0.5],
                 ),
             ];
-            let mut seeded = Seeded::new(122);
+            let mut seeded = seeds.stream(122);
             while cases.len() < 40 {
                 let new = case(
                     "a seeded ray",
@@ -710,7 +709,7 @@ pub static WALK_ENDS: Task<NearestAndOut, fn(f64, f64) -> bool> = Task {
         take_away: "A hit beyond its cell is kept, and the walk goes on: the next cell may have a nearer one.",
         next: "the figure 12-grid/outside-its-cell, then l12_walk",
     },
-    cases: || {
+    cases: |seeds| {
         let case = |note: &str, nearest: f64, t_out: f64| {
             Case::new(note, NearestAndOut { nearest, t_out })
         };
@@ -721,7 +720,7 @@ pub static WALK_ENDS: Task<NearestAndOut, fn(f64, f64) -> bool> = Task {
             case("a hit far beyond the cell", 100.0, 3.0),
             case("a hit just after the ray came in", 2.1, 3.0),
         ];
-        let mut seeded = Seeded::new(123);
+        let mut seeded = seeds.stream(123);
         while cases.len() < 20 {
             cases.push(case(
                 "seeded",
@@ -903,7 +902,7 @@ pub static WALK: Task<Walked, fn(&Cells<'_>, &Ray) -> Option<(usize, f64)>> = Ta
         take_away: "The ray visits every cell that it pierces, in order, and stops at the first hit that lies in its cell.",
         next: "the figure 12-grid/walk, and your own picture",
     },
-    cases: || {
+    cases: |seeds| {
         let case = |note: &str,
                     spheres: &[([f64; 3], f64)],
                     origin: [f64; 3],
@@ -964,7 +963,7 @@ pub static WALK: Task<Walked, fn(&Cells<'_>, &Ray) -> Option<(usize, f64)>> = Ta
                 [1.0, 1.0, 0.0],
             ),
         ];
-        let mut seeded = Seeded::new(124);
+        let mut seeded = seeds.stream(124);
         while cases.len() < 40 {
             let spheres: Vec<_> = (0..5)
                 .map(|_| {
@@ -1055,12 +1054,13 @@ pub static WALK: Task<Walked, fn(&Cells<'_>, &Ray) -> Option<(usize, f64)>> = Ta
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::lesson::exercise::Seeds;
     use crate::structure::start;
 
     #[test]
     fn the_walk_visits_the_cells_of_the_crate_s_own_walk() {
         let planes = CellPlanes::new(&AROUND, [4; 3]);
-        for case in (WALK.cases)() {
+        for case in (WALK.cases)(&Seeds::PUBLIC) {
             let cells = Cells::new(&case.input.scene, &AROUND, [4; 3], &Silent);
             let endless = Decisions {
                 ends: |_, _| false,
@@ -1081,7 +1081,7 @@ mod tests {
     fn the_walk_finds_what_testing_every_object_finds() {
         use crate::tracer::simple::{Own, Parts};
         let mut hits = 0;
-        for case in (WALK.cases)() {
+        for case in (WALK.cases)(&Seeds::PUBLIC) {
             let Walked { scene, ray } = &case.input;
             let cells = Cells::new(scene, &AROUND, [4; 3], &Silent);
             let found = walk_by(&cells, ray, &RIGHT);
