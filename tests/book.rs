@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
 
 use mdbook_driver::MDBook;
+use raystep::book::NoCommands;
 use roxmltree::Document;
 use serde_json::{Value, json};
 
@@ -47,10 +48,10 @@ Text follows *at once*.
 const SECOND: &str = "# Two\n\n{{#raystep-compare 01-ball/hit}}\n\n{{#raystep 01-ball/hit}}\n";
 
 /// A book in a folder of its own.
-struct TestBook(tempfile::TempDir);
+pub(crate) struct TestBook(pub(crate) tempfile::TempDir);
 
 impl TestBook {
-    fn new(first: &str, object: &str) -> Self {
+    pub(crate) fn new(first: &str, object: &str) -> Self {
         let folder = tempfile::tempdir().unwrap();
         let write = |file: &str, text: &str| {
             let path = folder.path().join(file);
@@ -77,12 +78,12 @@ impl TestBook {
         Self(folder)
     }
 
-    fn build(&self) -> Result<(), String> {
+    pub(crate) fn build(&self) -> Result<(), String> {
         let book = MDBook::load(self.0.path()).unwrap();
         book.build().map_err(|error| format!("{error:#}"))
     }
 
-    fn page(&self, file: &str) -> String {
+    pub(crate) fn page(&self, file: &str) -> String {
         fs::read_to_string(self.0.path().join("book").join(file)).unwrap()
     }
 
@@ -102,7 +103,7 @@ impl TestBook {
     }
 
     /// Hands the first chapter to the preprocessor as mdBook does.
-    fn preprocess(&self, version: &str) -> Output {
+    pub(crate) fn preprocess(&self, version: &str) -> Output {
         let content = fs::read_to_string(self.0.path().join("src/one.md")).unwrap();
         let chapter = json!({ "Chapter": {
             "name": "One", "content": content, "number": [1], "sub_items": [],
@@ -462,7 +463,7 @@ fn the_stepper_of_a_book_says_the_words_of_the_plain_face_in_all_lessons() {
         let chapter = json!({ "Chapter": { "name": "One", "content": content, "path": "one.md", "sub_items": [] } });
         let context = json!({ "root": root, "mdbook_version": "0.5.4", "config": {} });
         let input = json!([context, { "items": [chapter] }]).to_string();
-        let followed = raystep::preprocess(input.as_bytes())
+        let followed = raystep::preprocess(input.as_bytes(), &NoCommands)
             .map_err(|error| error.to_string())
             .map(|followed| serde_json::from_str::<Value>(&followed.book).unwrap());
         followed.map(|book| {

@@ -47,7 +47,7 @@ const CORE: [&str; 12] = [
 ];
 
 /// Every crate that a layer may name, and which layers may; the command line may name any.
-const CRATES_OF: [(&str, &[&str]); 22] = [
+const CRATES_OF: [(&str, &[&str]); 23] = [
     ("anstyle", &["explain"]),
     ("base64", &["trace", "figure", "page"]),
     ("flate2", &["page"]),
@@ -82,6 +82,7 @@ const CRATES_OF: [(&str, &[&str]); 22] = [
             "lesson",
         ],
     ),
+    ("math_core", &["book"]),
     ("memchr", &["scene", "trace"]),
     ("png", &["trace"]),
     ("pulldown_cmark", &["book"]),
@@ -119,7 +120,7 @@ const CRATES_OF: [(&str, &[&str]); 22] = [
 ];
 
 /// The crates of others.
-const CRATES: [&str; 29] = [
+const CRATES: [&str; 30] = [
     "anstream",
     "anstyle",
     "base64",
@@ -132,6 +133,7 @@ const CRATES: [&str; 29] = [
     "indicatif",
     "itoa",
     "libm",
+    "math_core",
     "memchr",
     "png",
     "pulldown_cmark",

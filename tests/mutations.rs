@@ -9,6 +9,7 @@ use std::any::Any;
 use std::fs;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
+use raystep::book::NoCommands;
 use raystep::explain::pixel_json;
 use raystep::strategy::Exhaustive;
 use raystep::tracer::trace_pixel;
@@ -286,7 +287,7 @@ fn damaged_books_are_followed_or_refused() {
         "config": { "preprocessor": { "raystep": { "lessons": "lessons", "before": ["links"] } } } });
     let book = json!([context, { "items": [chapter] }]).to_string();
     survives(6, BOOKS, &[book.as_bytes()], |bytes| {
-        match preprocess(bytes) {
+        match preprocess(bytes, &NoCommands) {
             Ok(_) => Ok(()),
             Err(error) => Err(error.to_string()),
         }
@@ -297,7 +298,7 @@ fn damaged_books_are_followed_or_refused() {
         let mut chapter = chapter.clone();
         chapter["Chapter"]["content"] = content.into();
         let book = json!([context, { "items": [chapter] }]).to_string();
-        preprocess(book.as_bytes())
+        preprocess(book.as_bytes(), &NoCommands)
             .map(drop)
             .map_err(|error| error.to_string())
     });

@@ -2,6 +2,7 @@
 
 mod bad_input;
 mod book;
+mod book_shows;
 mod bounds;
 mod calculator;
 mod check;

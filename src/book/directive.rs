@@ -9,32 +9,6 @@ use std::vec;
 
 use pulldown_cmark::{Event, Options, Parser, Tag, TagEnd};
 
-/// What a directive asks for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Asks {
-    /// `{{#raystep NAME}}`: the figure; `{{#raystep NAME stepper}}`: step by step.
-    Figure,
-    /// `{{#raystep-log NAME}}`: the worked solution of its pixel.
-    Log,
-    /// `{{#raystep-value NAME PATH}}`: a number.
-    Value,
-    /// `{{#raystep-compare NAME}}`: what each strategy costs.
-    Compare,
-}
-
-impl Asks {
-    pub(super) const ALL: [Self; 4] = [Self::Figure, Self::Log, Self::Value, Self::Compare];
-
-    pub(super) fn name(self) -> &'static str {
-        match self {
-            Self::Figure => "raystep",
-            Self::Log => "raystep-log",
-            Self::Value => "raystep-value",
-            Self::Compare => "raystep-compare",
-        }
-    }
-}
-
 /// A directive in a chapter.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Directive {
@@ -46,6 +20,8 @@ pub(super) struct Directive {
     pub(super) word: String,
     /// The words after it.
     pub(super) words: Vec<String>,
+    /// What these words are made of.
+    pub(super) rest: String,
     /// Does it end on its line, with `}}`?
     pub(super) ends: bool,
     /// How a block stands in its place; `None` if other text is on the line.
@@ -84,16 +60,22 @@ pub(super) fn directives(content: &str) -> Vec<Directive> {
         let line = lines.around(start);
         let (end, ends) = end_of(content, name, line.range.end);
         let range = start..end;
-        let inner = content[name + 1..range.end].trim_end_matches('}');
-        let mut words = inner.split_whitespace().map(String::from);
+        let inner = &content[name + 1..range.end];
+        let inner = if ends {
+            &inner[..inner.len() - 2]
+        } else {
+            inner
+        };
+        let (word, rest) = inner.split_once(char::is_whitespace).unwrap_or((inner, ""));
         // what follows another directive is not alone on its line
         let is_first = found
             .last()
             .is_none_or(|other| other.range.end <= line.range.start);
         found.push(Directive {
             line: line.number,
-            word: words.next().unwrap_or_default(),
-            words: words.collect(),
+            word: word.into(),
+            words: rest.split_whitespace().map(String::from).collect(),
+            rest: rest.into(),
             ends,
             alone: is_first.then(|| alone(content, &range, &line)).flatten(),
             range,
@@ -179,7 +161,7 @@ impl Covered {
 }
 
 /// Where nothing is followed: in code and in comments.
-fn untouched(content: &str) -> Vec<Range<usize>> {
+pub(super) fn untouched(content: &str) -> Vec<Range<usize>> {
     let code = code(content);
     let mut found = comments(content, code.clone());
     found.extend(code);

@@ -2,35 +2,44 @@
 
 use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
-use std::time::Duration;
 
-use crate::book::directive::{Asks, Directive};
+use crate::book::Project;
+use crate::book::asks::Asks;
+use crate::book::code::code;
+use crate::book::costs::table;
+use crate::book::directive::Directive;
+use crate::book::formula::in_latex;
 use crate::book::html::{one_line, prose};
+use crate::book::map::map;
+use crate::book::mistakes;
+use crate::book::places::{Places, figure_id};
+use crate::book::run::{Commands, for_shell, run};
 use crate::book::stepper::Asked;
 use crate::book::value::value;
-use crate::book::words::{unknown_option, whole_log, whole_number};
-use crate::explain::render::{escaped, html};
-use crate::explain::{Unfold, WorkedOptions, worked_solution};
+use crate::book::words::{unknown_option, whole_number};
+use crate::book::worked::{log, with_blanks};
+use crate::explain::render::escaped;
 use crate::figure::FigureSpec;
 use crate::figure::{Rendition, Traced, UpTo, Width};
-use crate::lesson::{
-    FigureName, Lesson, LessonError, Library, NotCompared, compare, compare_transports,
-    light_of_lamps,
-};
+use crate::lesson::{FigureName, Lesson, LessonError, Library};
 use crate::page::{Stepper, shared, stepper};
 use crate::scene::{LoadError, nearest_name, quoted};
-use crate::trace::{Kind, Kinds};
-use crate::tracer::{MAX_RAYS, Stopped};
+
+/// Where lessons are looked for if nothing is said, here and on the command line.
+pub(super) const LESSONS: &str = "lessons";
 
 /// Follows directives; what a figure is drawn from is traced once for all that name it.
 pub(super) struct Expander<'a> {
     library: &'a Library,
+    project: &'a Project,
+    commands: &'a dyn Commands,
+    places: Places,
     /// The folder of the lessons as it is written in commands.
     lessons: Option<String>,
     traced: HashMap<FigureName, Arc<Vec<Traced>>>,
     /// The ids that were given, in all chapters: a book may have them all on one page.
     ids: HashSet<String>,
-    /// The chapter, as a part of ids.
+    /// The chapter's file.
     chapter: String,
     /// Has the chapter the script of its steppers?
     has_script: bool,
@@ -45,9 +54,18 @@ struct Named<'a> {
 }
 
 impl<'a> Expander<'a> {
-    pub(super) fn new(library: &'a Library, lessons: Option<String>) -> Self {
+    pub(super) fn new(
+        library: &'a Library,
+        project: &'a Project,
+        commands: &'a dyn Commands,
+        places: Places,
+    ) -> Self {
+        let lessons = project.lessons_word(LESSONS);
         Self {
             library,
+            project,
+            commands,
+            places,
             lessons,
             traced: HashMap::new(),
             ids: HashSet::new(),
@@ -56,7 +74,7 @@ impl<'a> Expander<'a> {
         }
     }
 
-    /// The directives that follow are those of another chapter; its name is a word.
+    /// The directives that follow are those of another chapter.
     pub(super) fn begin_chapter(&mut self, chapter: String) {
         self.chapter = chapter;
         self.has_script = false;
@@ -67,34 +85,78 @@ impl<'a> Expander<'a> {
     /// # Errors
     /// What is wrong, and what to do about it.
     pub(super) fn expand(&mut self, directive: &Directive) -> Result<String, String> {
-        if !directive.ends {
-            return Err("it has no end\n  close it with }} on the same line".into());
-        }
-        let asks = asks(&directive.word)?;
-        let (name, words) = directive
-            .words
-            .split_first()
-            .ok_or("no figure is named\n  as in {{#raystep 12-grid/walk}}")?;
-        let named = self.named(name)?;
+        let asks = of(directive)?;
         if asks == Asks::Value {
-            return in_prose(&named, words);
+            return Ok(prose(&self.value(directive)?));
         }
         let alone = directive
             .alone
             .as_ref()
             .ok_or("this directive expands to a block\n  put it on a line of its own")?;
         let html = match asks {
-            Asks::Figure => match words.split_first() {
-                Some((first, words)) if first == "stepper" => {
-                    self.stepper(&named, words, &alone.begins)?
+            Asks::Figure | Asks::Log | Asks::Blanks | Asks::Compare | Asks::Value => {
+                let (named, words) = self.figure_of(directive)?;
+                let pixel = named.spec.traced_pixels().first().copied();
+                match asks {
+                    Asks::Log => log(first(&named)?, pixel, words)?,
+                    Asks::Blanks => with_blanks(first(&named)?, pixel, words)?,
+                    Asks::Compare => table(first(&named)?, pixel, words)?,
+                    _ => match words.split_first() {
+                        Some((first, words)) if first == "stepper" => {
+                            self.stepper(&named, words, &alone.begins)?
+                        }
+                        _ => self.figure(&named, words)?,
+                    },
                 }
-                _ => self.figure(&named, words)?,
-            },
-            Asks::Log => log(&named, words)?,
-            Asks::Compare => table(&named, words)?,
-            Asks::Value => return Ok(String::new()),
+            }
+            Asks::Code => code(&directive.rest, self.project)?,
+            Asks::Run => run(&directive.rest, self.commands, self.project)?,
+            Asks::Map => map(
+                &directive.words,
+                &self.chapter,
+                self.project,
+                self.library,
+                &self.places,
+            )?,
+            Asks::Mistakes => mistakes::table(&directive.words, self.library)?,
         };
         Ok(format!("{html}{}", alone.ends))
+    }
+
+    /// What stands in the place of a directive inside of a formula.
+    ///
+    /// # Errors
+    /// What is wrong, and what to do about it.
+    pub(super) fn expand_in_formula(&mut self, directive: &Directive) -> Result<String, String> {
+        if of(directive)? != Asks::Value {
+            return Err("a formula holds no block\n  only raystep-value may stand in it".into());
+        }
+        in_latex(&self.value(directive)?)
+    }
+
+    /// A value of a figure's trace.
+    fn value(&mut self, directive: &Directive) -> Result<String, String> {
+        let (named, words) = self.figure_of(directive)?;
+        let [path] = words else {
+            return Err(
+                "exactly one path names a value\n  as in {{#raystep-value 12-grid/walk cell.count}}"
+                    .into(),
+            );
+        };
+        let pixel = named.spec.traced_pixels().first().copied();
+        value(first(&named)?, pixel, path)
+    }
+
+    /// The figure that a directive names, and the words behind its name.
+    fn figure_of<'d>(
+        &mut self,
+        directive: &'d Directive,
+    ) -> Result<(Named<'a>, &'d [String]), String> {
+        let (name, words) = directive
+            .words
+            .split_first()
+            .ok_or("no figure is named\n  as in {{#raystep 12-grid/walk}}")?;
+        Ok((self.named(name)?, words))
     }
 
     fn named(&mut self, name: &str) -> Result<Named<'a>, String> {
@@ -197,10 +259,7 @@ impl<'a> Expander<'a> {
 
     /// The chapter and the figure, and a number if that was given before.
     fn id(&mut self, name: &FigureName) -> String {
-        let id = word(&format!(
-            "raystep-{}-{}-{}",
-            self.chapter, name.lesson, name.figure
-        ));
+        let id = figure_id(&self.chapter, &name.to_string());
         // no word has a _, so that no number and no part of a drawing makes the id of another figure
         let numbered = (2..).map(|number| format!("{id}_{number}"));
         let mut all = std::iter::once(id.clone()).chain(numbered);
@@ -242,157 +301,10 @@ fn first<'a>(named: &'a Named) -> Result<&'a Traced, String> {
     first.ok_or_else(|| "this figure has no trace\n  name another figure".into())
 }
 
-/// A value in running text.
-fn in_prose(named: &Named, words: &[String]) -> Result<String, String> {
-    let [path] = words else {
-        return Err(
-            "exactly one path names a value\n  as in {{#raystep-value 12-grid/walk cell.count}}"
-                .into(),
-        );
-    };
-    let first = first(named)?;
-    let value = value(first, named.spec.traced_pixels().first().copied(), path)?;
-    Ok(prose(&value))
-}
-
-/// The directive that a word means.
-fn asks(word: &str) -> Result<Asks, String> {
-    if let Some(asks) = Asks::ALL.into_iter().find(|asks| asks.name() == word) {
-        return Ok(asks);
+/// What a directive asks for, if it is whole.
+fn of(directive: &Directive) -> Result<Asks, String> {
+    if !directive.ends {
+        return Err("it has no end\n  close it with }} on the same line".into());
     }
-    let names = Asks::ALL.map(Asks::name);
-    let fix = match nearest_name(word, names.into_iter()) {
-        Some(near) => format!("did you mean {near}?"),
-        None => format!("there are {}", names.join(", ")),
-    };
-    Err(format!("there is no directive {}\n  {fix}", quoted(word)))
-}
-
-/// A path as a shell reads it.
-fn for_shell(path: &str) -> String {
-    let plain = |c: char| c.is_ascii_alphanumeric() || "._/-".contains(c);
-    if path.chars().all(plain) {
-        return path.into();
-    }
-    format!("'{}'", path.replace('\'', "'\\''"))
-}
-
-/// Letters, digits and `-`: what an id may have.
-pub(super) fn word(text: &str) -> String {
-    let letters = text
-        .chars()
-        .map(|c| if c.is_ascii_alphanumeric() { c } else { '-' });
-    letters.collect()
-}
-
-/// The worked solution of the figure's pixel.
-fn log(named: &Named, words: &[String]) -> Result<String, String> {
-    const OPTIONS: [&str; 3] = ["only=KIND,KIND", "ray=N", "all"];
-    let mut options = WorkedOptions::default();
-    for word in words {
-        match word.split_once('=') {
-            Some(("only", kinds)) => options.kinds = only(kinds)?,
-            Some(("ray", number)) => options.ray = Some(whole_number("ray", number)?),
-            None if word == "all" => options.all = true,
-            _ => return Err(unknown_option(word, &OPTIONS)),
-        }
-    }
-    let traced = first(named)?;
-    let pixel = named.spec.traced_pixels().first().copied();
-    let records = traced.of_pixel(pixel);
-    let has = |ray: u32| records.iter().any(|record| record.ray == Some(ray));
-    if let Some(ray) = options.ray.filter(|&ray| !has(ray)) {
-        let last = records.iter().filter_map(|record| record.ray).max();
-        return Err(match last {
-            Some(last) => format!("the pixel has no ray {ray}\n  its rays are 0 to {last}"),
-            None => "this figure has no pixel with rays\n  name a figure with a \"pixel\"".into(),
-        });
-    }
-    let settings = whole_log(traced);
-    let page = worked_solution(&traced.scene, &settings, &records, &options);
-    Ok(html(&page, hint))
-}
-
-/// The options of the directive that show what a page leaves out.
-fn hint(unfold: Unfold) -> String {
-    match unfold {
-        Unfold::All => "all shows them".into(),
-        Unfold::Ray(ray) => format!("ray={ray}"),
-    }
-}
-
-/// Kinds of event by their names.
-fn only(names: &str) -> Result<Kinds, String> {
-    let mut kinds = Vec::new();
-    for name in names.split(',') {
-        let known = Kind::ALL.map(Kind::name);
-        let kind =
-            Kind::named(name).ok_or_else(|| match nearest_name(name, known.into_iter()) {
-                Some(near) => format!("there is no kind {}\n  did you mean {near}?", quoted(name)),
-                None => format!(
-                    "there is no kind {}\n  the kinds are {}",
-                    quoted(name),
-                    known.join(", ")
-                ),
-            })?;
-        kinds.push(kind);
-    }
-    Ok(Kinds::of(&kinds))
-}
-
-/// A tree of rays that does not end, as a mistake in a directive.
-fn too_many_rays(stopped: Stopped) -> String {
-    format!("{stopped}\n  lower the scene's \"max_depth\", or its reflection and transmission")
-}
-
-/// What every strategy costs on the figure's pixel, or on its picture; or what each kind of ray tracing costs and
-/// brings.
-fn table(named: &Named, words: &[String]) -> Result<String, String> {
-    let mut pixel = named.spec.traced_pixels().first().copied();
-    let mut transports = false;
-    for word in words {
-        match word.as_str() {
-            "picture" => pixel = None,
-            "transports" => transports = true,
-            _ => return Err(unknown_option(word, &["picture", "transports"])),
-        }
-    }
-    let Traced {
-        scene, settings, ..
-    } = first(named)?;
-    // times would differ from build to build; a table of a book has none
-    let no_clock = || Duration::ZERO;
-    let (title, rows) = if transports {
-        let scene = light_of_lamps(scene.clone());
-        let comparison = compare_transports(&scene, settings, MAX_RAYS, no_clock, |_| {});
-        let comparison = comparison.map_err(|error| match error {
-            NotCompared::Light(fault) => format!("{fault}: {}", fault.fix()),
-            NotCompared::Stopped { stopped, .. } => too_many_rays(stopped),
-        })?;
-        (comparison.title(), comparison.rows())
-    } else {
-        let comparison =
-            compare(scene, settings, pixel, MAX_RAYS, no_clock, |_| {}).map_err(too_many_rays)?;
-        (comparison.title(), comparison.rows())
-    };
-    let row = |cells: &[String], tag: &str| {
-        let cells = cells.iter().enumerate().map(|(place, cell)| {
-            let align = if place == 0 {
-                ""
-            } else {
-                " style=\"text-align: right\""
-            };
-            format!("<{tag}{align}>{}</{tag}>", escaped(cell))
-        });
-        format!("<tr>{}</tr>", cells.collect::<String>())
-    };
-    let (head, body) = rows
-        .split_first()
-        .ok_or("there are no strategies to compare")?;
-    let body: String = body.iter().map(|cells| row(cells, "td")).collect();
-    Ok(format!(
-        "<div class=\"table-wrapper\"><table class=\"raystep-compare\"><caption>{}</caption><thead>{}</thead><tbody>{body}</tbody></table></div>",
-        escaped(&title),
-        row(head, "th")
-    ))
+    Asks::named(&directive.word)
 }

@@ -1,15 +1,28 @@
 //! The preprocessor for mdBook: figures, worked solutions, numbers and tables come into a book from traces, so that none
 //! of them can go stale.
 
+mod asks;
+mod blanks;
+mod code;
+mod costs;
 mod directive;
 mod error;
 mod expand;
+mod formula;
 mod html;
+mod map;
+mod mistakes;
+mod places;
 pub(crate) mod preprocessor;
+mod project;
 mod protocol;
+mod run;
 mod stepper;
 mod value;
 mod words;
+mod worked;
 
 pub use error::{BookError, BookMistake};
 pub use preprocessor::{BookOptions, Preprocessed};
+pub use project::Project;
+pub use run::{Commands, NoCommands, Ran};

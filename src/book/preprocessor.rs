@@ -1,14 +1,17 @@
 //! The protocol between mdBook and this program: a book goes in, the same book with its directives followed comes out.
 
 use std::io::Read;
+use std::ops::Range;
 use std::path::{Path, PathBuf};
 
 use serde::Deserialize;
 
-use crate::book::directive::directives;
-use crate::book::expand::{Expander, word};
+use crate::book::directive::{Directive, directives};
+use crate::book::expand::{Expander, LESSONS};
+use crate::book::formula::{Formula, formulas, latex, mathml};
+use crate::book::places::Places;
 use crate::book::protocol::{self, Book, Context, MDBOOK_VERSION};
-use crate::book::{BookError, BookMistake};
+use crate::book::{BookError, BookMistake, Commands, Project};
 use crate::files::Folder;
 use crate::lesson::Library;
 use crate::scene::LARGEST_FILE;
@@ -39,9 +42,6 @@ pub struct BookOptions {
     optional: Option<bool>,
 }
 
-/// Where lessons are looked for if nothing is said, here and on the command line.
-const LESSONS: &str = "lessons";
-
 /// A book with its directives followed.
 #[derive(Clone, Debug)]
 pub struct Preprocessed {
@@ -51,12 +51,12 @@ pub struct Preprocessed {
     pub notes: Vec<String>,
 }
 
-/// Reads what mdBook hands over and follows every directive of the book. Nothing is written anywhere.
+/// Reads what mdBook hands over and follows every directive and every formula of the book. Nothing is written anywhere.
 ///
 /// # Errors
 /// Input that is not mdBook's, settings that make no sense, lessons that cannot be read, or directives that cannot be
 /// followed: all of those, each with its chapter and line.
-pub fn preprocess(input: impl Read) -> Result<Preprocessed, BookError> {
+pub fn preprocess(input: impl Read, commands: &dyn Commands) -> Result<Preprocessed, BookError> {
     let mut json = Vec::new();
     let read = input.take(LARGEST_FILE).read_to_end(&mut json);
     read.map_err(|error| BookError::Protocol(error.to_string()))?;
@@ -71,28 +71,32 @@ pub fn preprocess(input: impl Read) -> Result<Preprocessed, BookError> {
         None => None,
     };
     let options = options.unwrap_or_default();
-    let given = options.lessons.clone();
-    let folder = context
-        .root
-        .join(given.as_deref().unwrap_or(Path::new(LESSONS)));
+    let lessons = options.lessons.as_deref().unwrap_or(Path::new(LESSONS));
     let mut notes: Vec<String> = version_note(&context).into_iter().collect();
 
     // a book without directives needs no lessons
     let [mut asks, mut escapes] = [false; 2];
+    let mut places = Places::default();
     book.for_each_chapter(&mut |chapter| {
-        asks |= !directives(chapter.content).is_empty();
+        let directives = directives(chapter.content);
+        asks |= !directives.is_empty();
+        places.note(&chapter.file, &directives);
         escapes |= chapter.content.contains("\\{{#raystep");
     });
-    if asks {
-        let library = Library::open(&Folder::new(folder).allow_outside(options.allow_outside))
-            .map_err(|error| BookError::Lessons(Box::new(error)))?;
-        // the command line looks there by itself
-        let other = given.filter(|given| given != Path::new(LESSONS));
-        let lessons = other.map(|given| given.display().to_string());
-        let mistakes = follow(&mut book, &mut Expander::new(&library, lessons));
-        if !mistakes.is_empty() {
-            return Err(BookError::Directives(mistakes));
-        }
+    let mistakes = if asks {
+        let folder = Folder::new(context.root.join(lessons)).allow_outside(options.allow_outside);
+        let library =
+            Library::open(&folder).map_err(|error| BookError::Lessons(Box::new(error)))?;
+        let project = Project::new(&context.root, lessons);
+        follow(
+            &mut book,
+            &mut Some(Expander::new(&library, &project, commands, places)),
+        )
+    } else {
+        follow(&mut book, &mut None)
+    };
+    if !mistakes.is_empty() {
+        return Err(BookError::Directives(mistakes));
     }
     let before = options.before.unwrap_or_default();
     if escapes && !before.iter().any(|name| name == "links") {
@@ -108,24 +112,26 @@ pub fn preprocess(input: impl Read) -> Result<Preprocessed, BookError> {
     })
 }
 
-/// Follows the directives of all chapters, sub-chapters included.
-fn follow(book: &mut Book, expander: &mut Expander) -> Vec<BookMistake> {
+/// Follows the directives and the formulas of all chapters, sub-chapters included. Without directives there is no expander.
+fn follow(book: &mut Book, expander: &mut Option<Expander>) -> Vec<BookMistake> {
     let mut mistakes = Vec::new();
     book.for_each_chapter(&mut |chapter| {
-        let file = chapter.file;
-        expander.begin_chapter(word(file.trim_end_matches(".md")));
+        if let Some(expander) = expander {
+            expander.begin_chapter(chapter.file.clone());
+        }
         let content = &*chapter.content;
         let mut followed = String::with_capacity(content.len());
         let mut copied = 0;
-        for directive in directives(content) {
-            followed.push_str(&content[copied..directive.range.start]);
-            copied = directive.range.end;
-            match expander.expand(&directive) {
+        for piece in pieces(content) {
+            let range = piece.range();
+            followed.push_str(&content[copied..range.start]);
+            copied = range.end;
+            match piece.follow(content, expander) {
                 Ok(text) => followed.push_str(&text),
-                Err(what) => mistakes.push(BookMistake {
-                    chapter: file.clone(),
-                    line: directive.line,
-                    directive: content[directive.range].into(),
+                Err(Fault { at, what }) => mistakes.push(BookMistake {
+                    chapter: chapter.file.clone(),
+                    line: content[..at.start].matches('\n').count() + 1,
+                    directive: content[at].into(),
                     what,
                 }),
             }
@@ -134,6 +140,79 @@ fn follow(book: &mut Book, expander: &mut Expander) -> Vec<BookMistake> {
         *chapter.content = followed;
     });
     mistakes
+}
+
+/// What takes another shape in a chapter.
+enum Piece {
+    Directive(Directive),
+    /// A formula and the directives in it.
+    Formula(Formula, Vec<Directive>),
+}
+
+/// What is wrong with a piece, and where.
+struct Fault {
+    at: Range<usize>,
+    what: String,
+}
+
+/// The directives and the formulas of a chapter, in order.
+fn pieces(content: &str) -> Vec<Piece> {
+    let all = directives(content);
+    let ranges: Vec<Range<usize>> = all.iter().map(|of| of.range.clone()).collect();
+    let mut all = all.into_iter().peekable();
+    let mut pieces = Vec::new();
+    for formula in formulas(content, &ranges) {
+        let Range { start, end } = formula.range;
+        while let Some(before) = all.next_if(|of| of.range.start < start) {
+            pieces.push(Piece::Directive(before));
+        }
+        let inside = std::iter::from_fn(|| all.next_if(|of| of.range.start < end));
+        let inside = inside.collect();
+        pieces.push(Piece::Formula(formula, inside));
+    }
+    pieces.extend(all.map(Piece::Directive));
+    pieces
+}
+
+impl Piece {
+    fn range(&self) -> Range<usize> {
+        match self {
+            Self::Directive(directive) => directive.range.clone(),
+            Self::Formula(formula, _) => formula.range.clone(),
+        }
+    }
+
+    /// What stands in its place.
+    fn follow(&self, content: &str, expander: &mut Option<Expander>) -> Result<String, Fault> {
+        let fault = |at: &Range<usize>| {
+            let at = at.clone();
+            move |what| Fault { at, what }
+        };
+        match (self, expander) {
+            (Self::Directive(directive), Some(expander)) => {
+                let text = expander.expand(directive);
+                text.map_err(fault(&directive.range))
+            }
+            // there is an expander wherever there are directives
+            (Self::Directive(directive), None) => Ok(content[directive.range.clone()].into()),
+            (Self::Formula(formula, inside), expander) => {
+                let mut filled = String::new();
+                let mut copied = formula.range.start;
+                for directive in inside {
+                    filled.push_str(&content[copied..directive.range.start]);
+                    copied = directive.range.end;
+                    if let Some(expander) = expander {
+                        let value = expander.expand_in_formula(directive);
+                        filled.push_str(&value.map_err(fault(&directive.range))?);
+                    }
+                }
+                filled.push_str(&content[copied..formula.range.end]);
+                let before = &content[..formula.range.start];
+                let formula_latex = latex(before, &filled, formula.is);
+                mathml(&formula_latex, formula.is).map_err(fault(&formula.range))
+            }
+        }
+    }
 }
 
 /// mdBook's protocol may change with every 0.x.

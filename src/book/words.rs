@@ -31,3 +31,11 @@ pub(super) fn whole_log(traced: &Traced) -> Settings {
         ..traced.settings.clone()
     }
 }
+
+/// Letters, digits and `-`: what an id may have.
+pub(super) fn word(text: &str) -> String {
+    let letters = text
+        .chars()
+        .map(|c| if c.is_ascii_alphanumeric() { c } else { '-' });
+    letters.collect()
+}

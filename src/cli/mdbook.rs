@@ -9,6 +9,7 @@ use crate::cli::Error;
 use crate::cli::args::{MdbookArgs, MdbookVerb};
 use crate::cli::notes::note;
 use crate::cli::output::Output;
+use crate::cli::shown::Shown;
 
 /// Follows the directives of the book on standard input, or says whether a renderer is supported.
 pub(crate) fn run(args: &MdbookArgs) -> Result<ExitCode, Error> {
@@ -17,7 +18,7 @@ pub(crate) fn run(args: &MdbookArgs) -> Result<ExitCode, Error> {
         let supported = renderer == "html";
         return Ok(ExitCode::from(u8::from(!supported)));
     }
-    let done = preprocess(io::stdin().lock())?;
+    let done = preprocess(io::stdin().lock(), &Shown)?;
     for text in &done.notes {
         note(text);
     }

@@ -25,6 +25,7 @@ mod raster;
 mod render;
 mod same_file;
 mod schema;
+mod shown;
 mod signals;
 mod stats;
 mod step;

@@ -5,11 +5,13 @@
 //!                     │
 //!                     ├─ json      the data inside a page: every text stays text
 //!                     ├─ stepper   the stepper of a book: the figure, and the list of its steps
+//!                     ├─ quiz      a question of a book
 //!                     ├─ packed    all steps of a pixel with their moves, for a page that holds many
 //!                     └─ inspect   one page of a picture and its pixels
 //!
 //! core.js, core.css         what the pages share: a step's words, and its question
 //! stepper.js, stepper.css   the stepper of a book
+//! quiz.js, quiz.css         a question of a book
 //! inspect.js, inspect.css   the page of a picture
 //! ```
 //!
@@ -18,10 +20,12 @@
 mod inspect;
 mod json;
 mod packed;
+mod quiz;
 mod stepper;
 mod steps;
 
 pub use inspect::{HeatOverlay, InspectPage, PageTooLarge};
 pub use packed::{PackedPixel, View};
+pub use quiz::{Quiz, QuizData, quiz, told};
 pub use stepper::{Stepper, shared, stepper};
 pub use steps::{LineFace, MovesFace, PixelSteps, QuestionFace, StepFace};

@@ -73,10 +73,20 @@ fn item(step: &StepFace) -> String {
     html
 }
 
-/// The style and the script of the steppers, once for a chapter: lines of HTML, none of which is empty.
+/// The style and the script of the steppers and the questions, once for a chapter: lines of HTML, none of which is empty.
 pub fn shared() -> String {
-    let style = [include_str!("core.css"), include_str!("stepper.css")].concat();
-    let script = [include_str!("core.js"), include_str!("stepper.js")].concat();
+    let style = [
+        include_str!("core.css"),
+        include_str!("stepper.css"),
+        include_str!("quiz.css"),
+    ]
+    .concat();
+    let script = [
+        include_str!("core.js"),
+        include_str!("stepper.js"),
+        include_str!("quiz.js"),
+    ]
+    .concat();
     let script = script.lines().filter(|line| !line.trim().is_empty());
     let script: Vec<&str> = script.collect();
     format!(
@@ -91,9 +101,9 @@ mod tests {
     use super::*;
 
     #[test]
-    fn style_and_script_have_at_most_20_kb_and_no_line_that_ends_a_block() {
+    fn style_and_script_have_at_most_30_kb_and_no_line_that_ends_a_block() {
         let shared = shared();
-        assert!(shared.len() <= 20_000, "{}", shared.len());
+        assert!(shared.len() <= 30_000, "{}", shared.len());
         assert!(shared.lines().all(|line| !line.trim().is_empty()));
         // mdBook reads these as its own
         assert!(!shared.contains("{{"));

@@ -151,7 +151,10 @@ In a chapter:
   {{#raystep 12-grid/walk}}                      the figure
   {{#raystep-log 12-grid/walk only=cell}}        its worked solution
   {{#raystep-value 12-grid/walk cell.count}}     a number, in running prose
-  {{#raystep-compare 12-grid/walk}}              what each strategy costs")]
+  {{#raystep-compare 12-grid/walk}}              what each strategy costs
+  {{#raystep-code PATH:ITEM}}                    source, by the name of an item
+  {{#raystep-run pixel SCENE X,Y}}               a command that only reads, and what it prints
+  $a t^2$ and $$a t^2$$                          a formula")]
 pub(crate) struct MdbookArgs {
     /// The question of mdBook before it runs; without it a book is read from standard input.
     #[command(subcommand)]
