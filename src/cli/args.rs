@@ -1,5 +1,6 @@
 //! What can be said on the command line.
 
+mod book;
 mod check;
 mod colours;
 mod figures;
@@ -17,6 +18,7 @@ use raystep::trace::{Kind, Region};
 use raystep::tracer::HeatOf;
 
 use crate::cli::word::one_of;
+pub(crate) use book::{BookArgs, BookVerb, InitArgs};
 pub(crate) use check::{CheckArgs, CheckFormat};
 pub(crate) use colours::Colours;
 pub(crate) use figures::{
@@ -83,6 +85,10 @@ pub(crate) enum Verb {
     Schema(SchemaArgs),
     /// Print completions for a shell.
     Completions(CompletionsArgs),
+    /// Build a book whose figures, numbers and questions come from its lessons.
+    Book(BookArgs),
+    /// Begin a course of your own: a book, a lesson, and a workflow that publishes it.
+    Init(InitArgs),
     /// Expand the directives in an mdBook; mdBook calls this.
     Mdbook(MdbookArgs),
 }

@@ -51,6 +51,13 @@ pub(crate) enum Error {
         /// What to do about it.
         fix: String,
     },
+    /// A course or its book, which cannot be built or begun.
+    Course {
+        /// What is wrong.
+        what: String,
+        /// What to do about it.
+        fix: String,
+    },
     /// The log could not be read.
     Log(LogError),
     /// A foreign log that cannot be checked.
@@ -280,7 +287,7 @@ impl fmt::Display for Error {
             Self::Raster { what, fix } | Self::Subject { what, fix } => {
                 write!(f, "{}\n  {fix}", printable(what))
             }
-            Self::Exercise { what, fix } => write!(f, "{}\n  {}", printable(what), printable(fix)),
+            Self::Exercise { what, fix } | Self::Course { what, fix } => write!(f, "{}\n  {}", printable(what), printable(fix)),
             Self::Option { option, fault } => write!(f, "{option}: {fault}\n  {}", fault.fix()),
             Self::Unused {
                 option,

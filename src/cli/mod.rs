@@ -1,6 +1,7 @@
 //! The command line: one file per verb. It reads scenes and logs, calls the library, writes files.
 
 mod args;
+mod book;
 mod check;
 mod compare;
 mod completions;
@@ -8,6 +9,7 @@ mod convert;
 mod error;
 mod figure;
 mod figures;
+mod init;
 mod input;
 mod inspect;
 mod lesson;
@@ -18,6 +20,7 @@ mod new_folder;
 mod notes;
 mod one_word;
 mod output;
+mod output_folder;
 mod pixel;
 mod progress;
 mod quiz;
@@ -69,6 +72,8 @@ pub(crate) fn run(arguments: impl Iterator<Item = OsString>) -> Result<ExitCode,
         Verb::Convert(args) => convert::run(&args),
         Verb::Schema(args) => schema::run(&args),
         Verb::Completions(args) => completions::run(&args),
+        Verb::Book(args) => book::run(&args),
+        Verb::Init(args) => init::run(&args),
         Verb::Mdbook(args) => return mdbook::run(&args),
     };
     done.map(|()| ExitCode::SUCCESS)

@@ -146,6 +146,8 @@ fn reads(verb: &Verb) -> Result<Vec<&Path>, String> {
         Verb::Schema(_) | Verb::Completions(_) => Vec::new(),
         Verb::Inspect(_) => return Err("inspect writes a page".into()),
         Verb::Render(_) => return Err("render writes a picture".into()),
+        Verb::Book(_) => return Err("book builds a book".into()),
+        Verb::Init(_) => return Err("init writes files".into()),
         Verb::Mdbook(_) => return Err("mdbook waits for a book".into()),
     })
 }
