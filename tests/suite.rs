@@ -8,6 +8,7 @@ mod calculator;
 mod check;
 mod cli;
 mod compare;
+mod course;
 mod exact;
 mod exercises;
 mod figure_coordinates;

@@ -19,6 +19,12 @@ pub(super) enum Asks {
     Code,
     /// `{{#raystep-run VERB …}}`: a command, and what it prints.
     Run,
+    /// `{{#raystep-question LESSON/NAME}}`: a question, answered at once.
+    Question,
+    /// `{{#raystep-questions}}`: all questions.
+    Questions,
+    /// `{{#raystep-answers}}`: all answers.
+    Answers,
     /// `{{#raystep-map FILE}}`: where each subject of the course is.
     Map,
     /// `{{#raystep-mistakes}}`: the mistakes that exercises recognise.
@@ -26,7 +32,7 @@ pub(super) enum Asks {
 }
 
 impl Asks {
-    const ALL: [Self; 9] = [
+    const ALL: [Self; 12] = [
         Self::Figure,
         Self::Log,
         Self::Blanks,
@@ -34,6 +40,9 @@ impl Asks {
         Self::Compare,
         Self::Code,
         Self::Run,
+        Self::Question,
+        Self::Questions,
+        Self::Answers,
         Self::Map,
         Self::Mistakes,
     ];
@@ -63,6 +72,9 @@ impl Asks {
             Self::Compare => "raystep-compare",
             Self::Code => "raystep-code",
             Self::Run => "raystep-run",
+            Self::Question => "raystep-question",
+            Self::Questions => "raystep-questions",
+            Self::Answers => "raystep-answers",
             Self::Map => "raystep-map",
             Self::Mistakes => "raystep-mistakes",
         }

@@ -1,5 +1,8 @@
 //! `{{#raystep-blanks NAME}}`: the worked solution of a pixel with some of its results taken out, to be worked out by hand.
 
+use std::ops::Range;
+
+use crate::explain::Tone;
 use crate::explain::page::Page;
 use crate::explain::render::{escaped, html, no_hint};
 
@@ -12,36 +15,36 @@ pub(super) const USUAL: u32 = 3;
 /// The page has fewer results.
 pub(super) fn blanks(mut page: Page, count: u32) -> Result<String, String> {
     let lines = page.lines.iter().enumerate();
-    let found: Vec<(usize, String)> = lines
-        .filter_map(|(at, line)| Some((at, result(&line.text)?.to_owned())))
+    let found: Vec<(usize, Range<usize>)> = lines
+        .filter(|(_, line)| matches!(line.tone, Tone::Plain | Tone::Found | Tone::Refused))
+        .filter_map(|(at, line)| Some((at, result(&line.text)?)))
         .collect();
     let count = count as usize;
     if count == 0 || found.len() < count {
         return Err(format!(
-            "{count} results cannot be taken out: these lines have {}\n  choose another number, or other lines by only=KIND",
+            "{count} results cannot be taken out: these lines have {}\n  choose another number, or other lines by only=KIND or all",
             found.len()
         ));
     }
     let mut answers: Vec<String> = Vec::new();
-    for place in 0..count {
-        // from the middle of each of as many equal stretches
-        let (first, answer) = &found[(2 * place + 1) * found.len() / (2 * count)];
-        let number = answers.len() + 1;
-        let mark = format!("[{number}]");
+    // from the middle of each of as many equal stretches; from behind, so that no place moves
+    let chosen = (0..count).map(|place| &found[(2 * place + 1) * found.len() / (2 * count)]);
+    for (line, range) in chosen {
+        let answer = page.lines[*line].text[range.clone()].to_owned();
+        let mark = format!("[{}]", answers.len() + 1);
         // a later line would tell it; a short number stands for other things too
         let is_telling = 3 <= answer.chars().filter(char::is_ascii_digit).count();
-        let Some((before, _)) = page.lines[*first].text.rsplit_once(" = ") else {
-            continue;
-        };
-        let behind =
-            page.lines[*first].text[before.len() + " = ".len()..].replacen(&**answer, &mark, 1);
-        page.lines[*first].text = format!("{before} = {behind}");
+        page.lines[*line].text.replace_range(range.clone(), &mark);
         if is_telling {
-            for line in &mut page.lines[first + 1..] {
-                line.text = without(&line.text, answer, &mark);
+            let later = found.iter().map(|(line, _)| *line).collect::<Vec<_>>();
+            for other in line + 1..page.lines.len() {
+                // the places of results that are still to be taken out stay
+                if !later.contains(&other) {
+                    page.lines[other].text = without(&page.lines[other].text, &answer, &mark);
+                }
             }
         }
-        answers.push(answer.clone());
+        answers.push(answer);
     }
     let items: String = answers
         .iter()
@@ -54,20 +57,72 @@ pub(super) fn blanks(mut page: Page, count: u32) -> Result<String, String> {
     ))
 }
 
-/// The number or the vector that a line ends up with: what follows its last equals sign.
-fn result(text: &str) -> Option<&str> {
-    let (before, last) = text.rsplit_once(" = ")?;
-    let end = if last.starts_with('(') {
-        last.find(')')? + 1
-    } else {
-        let is_digit = |c: char| c.is_ascii_digit() || "−-.e".contains(c);
-        last.find(|c| !is_digit(c)).unwrap_or(last.len())
-    };
-    let found = last[..end].trim_end_matches(['.', 'e']);
-    let is_number = found.contains(|c: char| c.is_ascii_digit());
-    // what is given is no result: t = 4 alone has no working
-    (is_number && before.contains(" = ") || is_number && before.contains(['·', '−', '+', '/']))
-        .then_some(found)
+/// Where the number or the vector stands that a line ends up with: behind its last equals sign if it has one, else its last
+/// number.
+fn result(text: &str) -> Option<Range<usize>> {
+    let sign = text
+        .match_indices("= ")
+        .filter(|(at, _)| text[..*at].is_empty() || text[..*at].ends_with(' '))
+        .last();
+    if let Some((at, _)) = sign {
+        let start = at + "= ".len();
+        let end = start + length(&text[start..])?;
+        // a term of what follows is no result
+        let goes_on = text[end..]
+            .trim_start()
+            .starts_with(['+', '−', '·', '/', '×', '²', '^']);
+        return (!goes_on).then_some(start..end);
+    }
+    let numbers: Vec<Range<usize>> = numbers(text).collect();
+    let is_decimal = |range: &&Range<usize>| text[(*range).clone()].contains('.');
+    numbers
+        .iter()
+        .rev()
+        .find(is_decimal)
+        .or(numbers.last())
+        .cloned()
+}
+
+/// How long the number or the vector is that stands here.
+fn length(text: &str) -> Option<usize> {
+    if text.starts_with('(') {
+        let end = text.find(')')? + 1;
+        let is_vector = |c: char| c.is_ascii_digit() || "(), .−-e".contains(c);
+        return text[..end].chars().all(is_vector).then_some(end);
+    }
+    numbers(text)
+        .next()
+        .filter(|range| range.start == 0)
+        .map(|range| range.end)
+}
+
+/// The numbers of a text that are no parts of words.
+fn numbers(text: &str) -> impl Iterator<Item = Range<usize>> {
+    let mut at = 0;
+    std::iter::from_fn(move || {
+        loop {
+            let start = at + text[at..].find(|c: char| c.is_ascii_digit())?;
+            let is_digit = |c: char| c.is_ascii_digit() || c == '.';
+            let end = text[start..]
+                .find(|c| !is_digit(c))
+                .map_or(text.len(), |end| start + end);
+            let end = start + text[start..end].trim_end_matches('.').len();
+            at = end;
+            let before = text[..start].chars().next_back();
+            let behind = text[end..].chars().next();
+            let is_part =
+                |c: Option<char>| c.is_some_and(|c| c.is_alphabetic() || "₀₁₂₃_".contains(c));
+            if is_part(before) || is_part(behind) {
+                continue;
+            }
+            let sign = if before == Some('−') {
+                '−'.len_utf8()
+            } else {
+                0
+            };
+            return Some(start - sign..end);
+        }
+    })
 }
 
 /// The text with a mark in the place of a number, wherever it stands by itself.
@@ -96,7 +151,7 @@ fn without(text: &str, number: &str, mark: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::explain::{Line, Tone};
+    use crate::explain::Line;
 
     fn page(texts: &[&str]) -> Page {
         let line = |text: &&str| Line {
@@ -116,16 +171,15 @@ mod tests {
     #[test]
     fn results_are_taken_out_wherever_they_stand() {
         let page = page(&[
-            "sphere, radius 1",
             "b = 2·Δ·(o − centre) = 2·3 = −11.5",
             "c = |o − centre|² − r² = 35",
             "discriminant: b² − 4ac = 132.25 − 140 = −7.75 < 0: no real root",
-            "of b = −11.5 and −11.55",
+            "b = −11.5 + −11.55, and so on",
         ]);
         let shown = blanks(page, 2).unwrap();
         assert!(shown.contains("2·3 = [1]<"), "{shown}");
         assert!(shown.contains("132.25 − 140 = [2] &lt; 0"), "{shown}");
-        assert!(shown.contains("of b = [1] and −11.55"), "{shown}");
+        assert!(shown.contains("b = [1] + −11.55"), "{shown}");
         assert!(
             shown.contains("<li>[1] is −11.5</li><li>[2] is −7.75</li>"),
             "{shown}"
@@ -134,12 +188,23 @@ mod tests {
     }
 
     #[test]
-    fn the_result_of_a_line_is_what_follows_its_last_equals_sign() {
-        assert_eq!(result("L = (a − b)/2 = (0.5, −1, 2)"), Some("(0.5, −1, 2)"));
-        assert_eq!(result("frame: o − centre = (0, 0, 6)"), Some("(0, 0, 6)"));
-        assert_eq!(result("t = 4"), None);
-        assert_eq!(result("no number at all"), None);
-        assert_eq!(result("x = y·z = none"), None);
+    fn the_result_of_a_line_is_what_follows_its_last_equals_sign_or_its_last_number() {
+        for (text, found) in [
+            ("L = (a − b)/2 = (0.5, −1, 2)", Some("(0.5, −1, 2)")),
+            ("= (1.04, 1.3, −1.78)", Some("(1.04, 1.3, −1.78)")),
+            ("= (1, 0, 0) + 0.5·(0, 1, 0)", None),
+            ("x = y·z = none", None),
+            ("discriminant: b² − 4ac = 4 > 0: two real roots", Some("4")),
+            (
+                "hit, inside for t in [−1.36, 11.35], so the node can be entered",
+                Some("11.35"),
+            ),
+            ("node 2 goes in with key 3.15; 2 nodes wait", Some("3.15")),
+            ("inside or outside: 2 crossings, an even number", Some("2")),
+            ("no number at all: t₁ and l04", None),
+        ] {
+            assert_eq!(result(text).map(|range| &text[range]), found, "{text}");
+        }
     }
 
     #[test]

@@ -12,7 +12,8 @@ use crate::book::formula::in_latex;
 use crate::book::html::{one_line, prose};
 use crate::book::map::map;
 use crate::book::mistakes;
-use crate::book::places::{Places, figure_id};
+use crate::book::places::{Places, figure_id, question_id};
+use crate::book::question::{Listed, Questions};
 use crate::book::run::{Commands, for_shell, run};
 use crate::book::stepper::Asked;
 use crate::book::value::value;
@@ -34,6 +35,7 @@ pub(super) struct Expander<'a> {
     project: &'a Project,
     commands: &'a dyn Commands,
     places: Places,
+    questions: Questions<'a>,
     /// The folder of the lessons as it is written in commands.
     lessons: Option<String>,
     traced: HashMap<FigureName, Arc<Vec<Traced>>>,
@@ -61,7 +63,9 @@ impl<'a> Expander<'a> {
         places: Places,
     ) -> Self {
         let lessons = project.lessons_word(LESSONS);
+        let folder = lessons.clone().unwrap_or_else(|| LESSONS.into());
         Self {
+            questions: Questions::new(library, folder),
             library,
             project,
             commands,
@@ -118,6 +122,30 @@ impl<'a> Expander<'a> {
                 self.library,
                 &self.places,
             )?,
+            Asks::Question => {
+                let [name] = &directive.words[..] else {
+                    return Err(
+                        "one question is named\n  as in {{#raystep-question 04-sphere/roots}}"
+                            .into(),
+                    );
+                };
+                let question = self.question(name)?;
+                self.with_script(question, &alone.begins)
+            }
+            Asks::Questions => {
+                let mut blocks = Vec::new();
+                for of in self.questions.listed(&directive.words)? {
+                    blocks.push(match of {
+                        Listed::Heading(heading) => heading,
+                        Listed::Question(name) => self.question(&name)?,
+                    });
+                }
+                self.blocks(blocks, &alone.begins)
+            }
+            Asks::Answers => {
+                let blocks = self.questions.answers(&self.chapter, &self.places)?;
+                self.blocks(blocks, &alone.begins)
+            }
             Asks::Mistakes => mistakes::table(&directive.words, self.library)?,
         };
         Ok(format!("{html}{}", alone.ends))
@@ -234,14 +262,35 @@ impl<'a> Expander<'a> {
             steps: &steps,
             predicts: asked.predicts,
         });
-        if std::mem::replace(&mut self.has_script, true) {
-            return Ok(figure);
+        Ok(self.with_script(figure, begins))
+    }
+
+    /// A question.
+    fn question(&mut self, name: &str) -> Result<String, String> {
+        let id = self.free(question_id(name));
+        self.questions
+            .question(name, &id, &self.chapter, &self.places)
+    }
+
+    /// Blocks and headings, with empty lines between them.
+    fn blocks(&mut self, blocks: Vec<String>, begins: &str) -> String {
+        let gap = format!("\n{}\n{begins}", begins.trim_end());
+        let all: Vec<String> = self.script(begins).into_iter().chain(blocks).collect();
+        all.join(&gap)
+    }
+
+    /// HTML, with the script and the style of the chapter before it if they do not stand there yet.
+    fn with_script(&mut self, html: String, begins: &str) -> String {
+        match self.script(begins) {
+            Some(script) => format!("{script}\n{begins}{html}"),
+            None => html,
         }
-        let next_line = format!("\n{begins}");
-        Ok(format!(
-            "{}{next_line}{figure}",
-            shared().replace('\n', &next_line)
-        ))
+    }
+
+    /// The script and the style of the chapter, once.
+    fn script(&mut self, begins: &str) -> Option<String> {
+        let has_script = std::mem::replace(&mut self.has_script, true);
+        (!has_script).then(|| shared().replace('\n', &format!("\n{begins}")))
     }
 
     /// What stands below a figure: its caption, and the command that draws it.
@@ -259,7 +308,11 @@ impl<'a> Expander<'a> {
 
     /// The chapter and the figure, and a number if that was given before.
     fn id(&mut self, name: &FigureName) -> String {
-        let id = figure_id(&self.chapter, &name.to_string());
+        self.free(figure_id(&self.chapter, &name.to_string()))
+    }
+
+    /// An id that no place of the book has yet.
+    fn free(&mut self, id: String) -> String {
         // no word has a _, so that no number and no part of a drawing makes the id of another figure
         let numbered = (2..).map(|number| format!("{id}_{number}"));
         let mut all = std::iter::once(id.clone()).chain(numbered);

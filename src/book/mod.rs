@@ -16,6 +16,7 @@ mod places;
 pub(crate) mod preprocessor;
 mod project;
 mod protocol;
+mod question;
 mod run;
 mod stepper;
 mod value;

@@ -10,22 +10,46 @@ use crate::book::words::word;
 #[derive(Clone, Debug, Default)]
 pub(super) struct Places {
     figures: HashMap<String, String>,
+    questions: HashMap<String, String>,
+    answers: Option<String>,
     chapters: Vec<String>,
 }
 
 impl Places {
-    /// Notes what a chapter asks for; chapters come in the order of the book.
-    pub(super) fn note(&mut self, chapter: &str, directives: &[Directive]) {
+    /// Notes what a chapter asks for; chapters come in the order of the book. `questions` names those of a lesson, or all.
+    pub(super) fn note(
+        &mut self,
+        chapter: &str,
+        directives: &[Directive],
+        questions: &dyn Fn(Option<&str>) -> Vec<String>,
+    ) {
         self.chapters.push(chapter.into());
         for directive in directives {
-            let Some(name) = directive.words.first() else {
-                continue;
-            };
-            if Asks::named(&directive.word) == Ok(Asks::Figure) {
-                let place = self.figures.entry(name.clone());
-                place.or_insert_with(|| chapter.into());
+            let first = directive.words.first();
+            let named: Vec<String> = first.cloned().into_iter().collect();
+            match Asks::named(&directive.word) {
+                Ok(Asks::Figure) => keep(&mut self.figures, named, chapter),
+                Ok(Asks::Question) => keep(&mut self.questions, named, chapter),
+                Ok(Asks::Questions) => {
+                    let all = questions(first.map(String::as_str));
+                    keep(&mut self.questions, all, chapter);
+                }
+                Ok(Asks::Answers) => {
+                    self.answers.get_or_insert_with(|| chapter.into());
+                }
+                _ => {}
             }
         }
+    }
+
+    /// The chapter that asks a question.
+    pub(super) fn of_question(&self, name: &str) -> Option<&str> {
+        self.questions.get(name).map(String::as_str)
+    }
+
+    /// The chapter that has all answers.
+    pub(super) fn answers(&self) -> Option<&str> {
+        self.answers.as_deref()
     }
 
     /// Does the book have a chapter of this file?
@@ -45,6 +69,23 @@ pub(super) fn figure_id(chapter: &str, figure: &str) -> String {
         "raystep-{}-{figure}",
         chapter.trim_end_matches(".md")
     ))
+}
+
+/// The first chapter stays.
+fn keep(map: &mut HashMap<String, String>, names: Vec<String>, chapter: &str) {
+    for name in names {
+        map.entry(name).or_insert_with(|| chapter.into());
+    }
+}
+
+/// The id of the first place that asks a question.
+pub(super) fn question_id(name: &str) -> String {
+    word(&format!("raystep-question-{name}"))
+}
+
+/// The id of an answer.
+pub(super) fn answer_id(name: &str) -> String {
+    word(&format!("raystep-answer-{name}"))
 }
 
 /// A link from one chapter's file to a place in another.

@@ -11,6 +11,7 @@ use crate::book::expand::{Expander, LESSONS};
 use crate::book::formula::{Formula, formulas, latex, mathml};
 use crate::book::places::Places;
 use crate::book::protocol::{self, Book, Context, MDBOOK_VERSION};
+use crate::book::question::names as question_names;
 use crate::book::{BookError, BookMistake, Commands, Project};
 use crate::files::Folder;
 use crate::lesson::Library;
@@ -76,11 +77,8 @@ pub fn preprocess(input: impl Read, commands: &dyn Commands) -> Result<Preproces
 
     // a book without directives needs no lessons
     let [mut asks, mut escapes] = [false; 2];
-    let mut places = Places::default();
     book.for_each_chapter(&mut |chapter| {
-        let directives = directives(chapter.content);
-        asks |= !directives.is_empty();
-        places.note(&chapter.file, &directives);
+        asks |= !directives(chapter.content).is_empty();
         escapes |= chapter.content.contains("\\{{#raystep");
     });
     let mistakes = if asks {
@@ -88,6 +86,15 @@ pub fn preprocess(input: impl Read, commands: &dyn Commands) -> Result<Preproces
         let library =
             Library::open(&folder).map_err(|error| BookError::Lessons(Box::new(error)))?;
         let project = Project::new(&context.root, lessons);
+        let mut places = Places::default();
+        let questions = |lesson: Option<&str>| {
+            let all = library.lessons.iter();
+            let of = all.filter(|of| lesson.is_none_or(|lesson| lesson == of.name));
+            of.flat_map(question_names).collect()
+        };
+        book.for_each_chapter(&mut |chapter| {
+            places.note(&chapter.file, &directives(chapter.content), &questions);
+        });
         follow(
             &mut book,
             &mut Some(Expander::new(&library, &project, commands, places)),

@@ -128,6 +128,14 @@ fn reads(verb: &Verb) -> Result<Vec<&Path>, String> {
         Verb::Figures(_) => return Err("figures without --list writes files".into()),
         Verb::Lesson(args) => match &args.verb {
             LessonVerb::List | LessonVerb::Show { .. } | LessonVerb::Hint { .. } => Vec::new(),
+            LessonVerb::Quiz {
+                script: Some(_),
+                lessons,
+                ..
+            } => lessons.iter().map(|path| &**path).collect(),
+            LessonVerb::Quiz { .. } => {
+                return Err("lesson quiz without --script waits for answers".into());
+            }
             LessonVerb::Start { .. } => return Err("lesson start writes files".into()),
             LessonVerb::Check { .. } => return Err("lesson check compiles the exercises".into()),
         },

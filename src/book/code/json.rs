@@ -2,7 +2,7 @@
 
 use serde_json::Value;
 
-use crate::book::code::{dedented, others};
+use crate::book::code::text::{dedented, others};
 use crate::scene::quoted;
 
 /// The text of a value.

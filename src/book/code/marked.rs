@@ -1,6 +1,6 @@
 //! A piece of a file in any language, between the marks that mdBook knows: `ANCHOR: name` and `ANCHOR_END: name` in comments.
 
-use crate::book::code::{dedented, others};
+use crate::book::code::text::{dedented, others};
 use crate::scene::quoted;
 
 /// The lines between two marks, without other marks among them.

@@ -5,8 +5,8 @@
 
 use std::ops::Range;
 
+use crate::book::code::text::{dedented, others};
 use crate::book::code::tokens::{Is, Token, tokens};
-use crate::book::code::{dedented, others};
 use crate::scene::quoted;
 
 /// An item of a source.
