@@ -208,7 +208,7 @@ fn what_cannot_be_shown_fails_the_build_with_chapter_and_line() {
         ),
         (
             "{{#raystep-run lesson start x}}",
-            "lesson start writes files",
+            "lesson start and lesson export write files",
         ),
         (
             "{{#raystep-run pixel /etc/hostname 4,4}}",

@@ -136,7 +136,9 @@ fn reads(verb: &Verb) -> Result<Vec<&Path>, String> {
             LessonVerb::Quiz { .. } => {
                 return Err("lesson quiz without --script waits for answers".into());
             }
-            LessonVerb::Start { .. } => return Err("lesson start writes files".into()),
+            LessonVerb::Start { .. } | LessonVerb::Export { .. } => {
+                return Err("lesson start and lesson export write files".into());
+            }
             LessonVerb::Check { .. } => return Err("lesson check compiles the exercises".into()),
         },
         Verb::Check(args) => {
