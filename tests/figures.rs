@@ -10,7 +10,9 @@ use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD as BASE64;
 use raystep::explain::{Compared, grouped};
 use raystep::figure::{UpTo, draw, text_width};
-use raystep::lesson::{compare, lesson_schema};
+use raystep::lesson::{compare, compare_transports, lesson_schema, light_of_lamps};
+use raystep::trace::Through;
+use raystep::tracer::trace_pixel;
 use raystep::{
     Chosen, Counts, Event, FigureName, FigureSpec, Library, Record, Rendition, Traced, Tracer,
     Transport, Width, render_picture,
@@ -451,10 +453,15 @@ fn forward_tracing_counts_the_paths_that_reach_the_eye_and_the_wasted_ones() {
     assert_eq!(shown.len(), 30 + sought);
     // all that were sought out arrive, and none of the first
     assert_eq!(arrived.len(), sought);
-    check_text(&texts, "The first 30 of 100 000 paths of light");
+    // 4 of 100 000, as `render --stats` says
+    assert_eq!(sought, 4);
     check_text(
         &texts,
-        &format!("None of them reaches the eye. Drawn as well: {sought} of the others, which do."),
+        "4 of 100 000 paths of light reach the eye: 99.996 % are wasted",
+    );
+    check_text(
+        &texts,
+        "Drawn: the first 30, of which none does, and all 4 that do",
     );
     for label in ["aperture", "window", "COP", "lamp"] {
         check_text(&texts, label);
@@ -508,6 +515,137 @@ fn the_paths_of_a_caustic_have_all_come_through_the_ball() {
         .collect();
     assert_eq!(refracted, shown);
     check_text(&texts, "E = 17 · 0.03333 W");
+}
+
+/// The texts of a figure of a lesson, in a book.
+fn texts_of_figure(name: &str) -> Vec<String> {
+    let (spec, traced) = figure(name);
+    let drawn = draw(spec, traced, ID, Width::Book, Rendition::default()).unwrap();
+    texts_of(&drawn.svg)
+}
+
+#[test]
+fn the_slides_sum_is_exact_and_the_others_are_measured() {
+    let (spec, traced) = figure("09-cost/sum");
+    let texts = texts_of_figure("09-cost/sum");
+    // 1024² · 100
+    check_text(
+        &texts,
+        "1024 × 1024 pixels × 100 objects = 104 857 600 tests",
+    );
+    check_text(&texts, "104 857 600");
+    let totals = traced.iter().map(|of| of.of_pixels.totals.unwrap());
+    let totals: Vec<_> = totals.collect();
+    // each eighth pixel both ways: 128 · 128 of them
+    assert!(totals.iter().all(|of| (of.every, of.pixels) == (8, 16_384)));
+    assert_eq!(64 * totals[0].objects, 104_857_600);
+    // by another way: the same rays with one strategy after the other
+    for (of, totals) in traced.iter().zip(&totals) {
+        let strategy = of.settings.strategy;
+        let chosen = Chosen::new(&of.scene, strategy, &of.settings.structure).unwrap();
+        let tracer = Tracer::new(&of.scene, &chosen, Transport::Backward);
+        let mut counts = Counts::default();
+        for y in (0..1024).step_by(16) {
+            for x in (0..1024).step_by(16) {
+                trace_pixel(&tracer, [x, y], Through::Centres, &mut counts).unwrap();
+            }
+        }
+        // a quarter of them says the same, but for chance
+        let few = counts.objects_tested()
+            + counts.search.bounds.tests
+            + counts.search.entered
+            + counts.search.cells;
+        let all = totals.objects + totals.nodes + totals.cells;
+        let ratio = 4.0 * few as f64 / all as f64;
+        assert!((0.9..1.1).contains(&ratio), "{strategy:?}: {ratio}");
+    }
+    assert_eq!(spec.every, Some(8));
+}
+
+#[test]
+fn the_rays_of_the_five_kinds_are_those_that_compare_counts() {
+    let (_, traced) = figure("08-transport/five");
+    let scene = light_of_lamps(traced[0].scene.clone());
+    let clock = || Duration::ZERO;
+    let compared =
+        compare_transports(&scene, &traced[0].settings, 1_000_000, clock, |_| {}).unwrap();
+    let texts = texts_of_figure("08-transport/five");
+    for of in traced {
+        let transport = of.settings.transport;
+        let same = |cost: &&raystep::explain::TransportCost| cost.settings.transport == transport;
+        let rays = &compared.compared.iter().find(same).unwrap().rays;
+        let totals = of.of_pixels.totals.unwrap();
+        assert_eq!(
+            (totals.cast, totals.contributed),
+            (rays.cast, rays.contributed()),
+            "{transport:?}"
+        );
+        check_text(&texts, &format!("{} rays cast", grouped(rays.cast)));
+    }
+    // of each path of forward ray tracing none or few legs are seen
+    check_text(&texts, "99.97");
+}
+
+#[test]
+fn line_drawing_skips_the_cell_with_the_hit_and_the_walk_does_not() {
+    // z = 3.5 − 0.55 x through cells of side 1: the middles of the columns lie in rows 3, 2, 2, 1, 1, 0;
+    // the planes z = 3, 2 and 1 are crossed at x = 0.91, 2.73 and 4.55, so that three more cells have a part of the ray
+    let texts = texts_of_figure("12-grid/line-drawing");
+    check_text(&texts, "line drawing: 6 cells, one in each column");
+    // it ends with the hit in the cell before the last
+    check_text(&texts, "grid walk: 8 cells, all on the ray");
+    let (spec, traced) = figure("12-grid/line-drawing");
+    let drawn = draw(spec, traced, ID, Width::Book, Rendition::default()).unwrap();
+    for sentence in [
+        "It skips [0, 0, 2], [2, 0, 1], [4, 0, 0], which the ray passes through.",
+        "Cell [4, 0, 0] holds the hit with A at t = ",
+    ] {
+        assert!(
+            drawn.description.contains(sentence),
+            "{}",
+            drawn.description
+        );
+    }
+}
+
+#[test]
+fn a_grid_between_too_coarse_and_too_fine_takes_the_fewest_steps() {
+    let (_, traced) = figure("12-grid/resolutions");
+    let sums: Vec<u64> = traced
+        .iter()
+        .map(|of| {
+            let mut counts = Counts::default();
+            for record in of
+                .records
+                .iter()
+                .filter(|record| record.pixel == Some([12, 8]))
+            {
+                counts.note(|| record.event);
+            }
+            counts.search.cells + counts.objects_tested()
+        })
+        .collect();
+    let [coarse, right, fine] = sums[..] else {
+        panic!("{sums:?}")
+    };
+    assert!(right < coarse && right < fine, "{sums:?}");
+    let texts = texts_of_figure("12-grid/resolutions");
+    for sum in sums {
+        check_text(&texts, &format!("= {sum}"));
+    }
+}
+
+#[test]
+fn eight_objects_are_joined_seven_times_and_a_grid_of_6_by_5_has_30_cells() {
+    let (spec, traced) = figure("11-hierarchy/building");
+    let drawn = draw(spec, traced, ID, Width::Book, Rendition::default()).unwrap();
+    assert!(drawn.description.contains("one volume is around all"));
+    assert!(drawn.description.contains(": 30 cells."));
+    let texts = texts_of(&drawn.svg);
+    for number in ["1", "7"] {
+        check_text(&texts, number);
+    }
+    assert!(!texts.iter().any(|text| text == "8"), "{texts:?}");
 }
 
 #[test]

@@ -184,12 +184,23 @@ fn is_whole(spec: &FigureSpec, traced: &[Traced]) -> Result<(), FigureError> {
     let [width, height] = traced[0].scene.camera.pixels;
     // its colour closes the log
     let last = [width - 1, height - 1];
-    let variants = spec.strategies.len().max(1) * spec.volumes.len().max(1);
+    let variants = [
+        spec.strategies.len(),
+        spec.volumes.len(),
+        spec.resolutions.len(),
+        spec.transports.len(),
+    ];
+    let variants: usize = variants.iter().map(|count| (*count).max(1)).product();
     let paths = spec.paths.unwrap_or(0) as usize;
     let cut = |of: &&Traced| {
         let mut pixels = spec.traced_pixels().into_iter().chain([last]);
         let has_no_tests = spec.kind == FigureKind::Heat && of.of_pixels.tests.is_empty();
         let has_no_mistake = spec.kind == FigureKind::Mistake && of.of_pixels.mistake.is_none();
+        let paths = if of.settings.transport.follows_light() {
+            paths
+        } else {
+            0
+        };
         pixels.any(|pixel| !of.has_colour(pixel))
             || of.paths().len() < paths
             || has_no_tests

@@ -47,12 +47,18 @@ pub struct FigureSpec {
     /// Several bounding volumes around the same objects, for the kind that compares them.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub volumes: Vec<VolumeKind>,
+    /// Several resolutions of the grid, for the kind that compares them.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub resolutions: Vec<[u32; 3]>,
     /// What is chosen about the strategy's structure.
     #[serde(default)]
     pub structure: StructureOptions,
     /// Which rays are cast.
     #[serde(default)]
     pub transport: Transport,
+    /// Several kinds of ray tracing on the same scene, for the kinds that compare them.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub transports: Vec<Transport>,
     /// How light is followed from the lamps, where the transport does.
     #[serde(default)]
     pub light: LightOptions,
@@ -66,6 +72,9 @@ pub struct FigureSpec {
     /// The size of the picture in pixels, in place of the scene's.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub size: Option<[u32; 2]>,
+    /// Every n-th pixel both ways is traced, for the kind that shows what a whole picture costs; usually every one.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub every: Option<u32>,
     /// How fine the picture is, if the figure shows one; usually so that it is at least 256 pixels wide.
     #[serde(default, skip_serializing_if = "Fineness::is_usual")]
     pub picture: Fineness,
@@ -106,6 +115,11 @@ impl Fineness {
 }
 
 impl FigureSpec {
+    /// Of how many pixels along each side one is traced.
+    pub(crate) fn every(&self) -> u32 {
+        self.every.unwrap_or(1).max(1)
+    }
+
     /// Does the figure show the picture of the scene?
     pub(crate) fn shows_picture(&self) -> bool {
         let shows_pixels = self.show.is_empty() || self.show.contains(&Layer::Pixels);
@@ -128,13 +142,16 @@ impl FigureSpec {
             strategy: StrategyName::default(),
             strategies: Vec::new(),
             volumes: Vec::new(),
+            resolutions: Vec::new(),
             structure: StructureOptions::default(),
             transport: Transport::default(),
+            transports: Vec::new(),
             light: LightOptions::default(),
             paths: None,
             picture: Fineness::default(),
             through: Through::default(),
             size: None,
+            every: None,
             view: View::default(),
             frame: None,
             show: Vec::new(),
@@ -195,6 +212,18 @@ pub enum FigureKind {
     Costs,
     /// What each pixel cost.
     Heat,
+    /// What a whole picture costs: its pixels times its objects, against what each strategy takes.
+    Sum,
+    /// The kinds of ray tracing side by side, with the rays that each casts and wastes.
+    Transports,
+    /// t = (S + D)·T: what is constant for the scene, for a bound and for a ray.
+    SlabTerms,
+    /// A hierarchy that grows bottom-up beside a grid that divides top-down.
+    Building,
+    /// A line-drawing algorithm beside the walk through a grid.
+    LineDrawing,
+    /// The same ray through grids of several resolutions.
+    Grids,
     /// The picture, the traced pixels marked.
     Picture,
     /// The picture with a mistake beside the right one, and the quantity that differs.

@@ -9,7 +9,9 @@ use crate::scene::Scene;
 use crate::strategy::{DepthFirst, Strategy};
 use crate::structure::{Build, SlabSet};
 use crate::trace::{Counts, Off, Recorder, Settings, Through, Transport, UsefulRays};
-use crate::tracer::{LightError, LightPass, Picture, Stopped, Tracer, check_light, render};
+use crate::tracer::{
+    LightError, LightPass, MAX_RAYS, Picture, Stopped, Tracer, check_light, render,
+};
 
 /// Why the kinds of ray tracing cannot be compared.
 #[derive(Debug)]
@@ -88,23 +90,50 @@ pub fn light_of_lamps(mut scene: Scene) -> Scene {
     scene
 }
 
+/// What the rays of the picture take and bring, those of the paths of light among them.
+///
+/// # Errors
+/// A pixel that takes more rays than it may.
+pub(super) fn rays_of_picture<S: Strategy>(
+    scene: &Scene,
+    strategy: &S,
+    settings: &Settings,
+) -> Result<(Counts, UsefulRays), Stopped> {
+    let mut counts = Counts::default();
+    let mut rays = UsefulRays::default();
+    let heard = |(counted, useful): (Counts, UsefulRays)| {
+        counts.add(&counted);
+        rays.add(&useful);
+    };
+    traced(scene, strategy, settings, MAX_RAYS, heard)?;
+    Ok((counts, rays))
+}
+
 /// The picture; `heard` is given what the recorders have heard.
 fn picture<S: Strategy, R: Recorder + Default + Send>(
     scene: &Scene,
     strategy: &S,
     settings: &Settings,
     max_rays: u64,
-    mut heard: impl FnMut(R),
+    heard: impl FnMut(R),
 ) -> Result<Picture, NotCompared> {
     let transport = settings.transport;
-    let stopped = |stopped| NotCompared::Stopped { transport, stopped };
-    let light = LightPass::new(scene, strategy, settings, None, &mut heard, |_| {});
-    let light = light.map_err(stopped)?;
-    let tracer = Tracer::new(scene, strategy, transport)
+    let traced = traced(scene, strategy, settings, max_rays, heard);
+    traced.map_err(|stopped| NotCompared::Stopped { transport, stopped })
+}
+
+fn traced<S: Strategy, R: Recorder + Default + Send>(
+    scene: &Scene,
+    strategy: &S,
+    settings: &Settings,
+    max_rays: u64,
+    mut heard: impl FnMut(R),
+) -> Result<Picture, Stopped> {
+    let light = LightPass::new(scene, strategy, settings, None, &mut heard, |_| {})?;
+    let tracer = Tracer::new(scene, strategy, settings.transport)
         .with_light(light.as_ref())
         .with_max_rays(max_rays);
-    let traced = render(&tracer, settings.through, |_| {});
-    let (picture, of_lines) = traced.map_err(stopped)?;
+    let (picture, of_lines) = render(&tracer, settings.through, |_| {})?;
     for recorder in of_lines {
         heard(recorder);
     }

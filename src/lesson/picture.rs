@@ -30,13 +30,10 @@ const MOST_EYE_RAYS: u64 = 4_000_000;
 /// A fineness that takes too many eye rays, or a tree of rays that does not end.
 pub(super) fn trace_picture(
     scene: &Scene,
-    spec: &FigureSpec,
+    (spec, transport): (&FigureSpec, Transport),
     light: Option<&LightPass>,
 ) -> Result<LoggedPicture, FigureError> {
-    let by_pixel = matches!(
-        spec.transport,
-        Transport::Forward | Transport::HybridConnected
-    );
+    let by_pixel = matches!(transport, Transport::Forward | Transport::HybridConnected);
     let [finer, samples] = if by_pixel {
         [1, 1]
     } else {
@@ -56,7 +53,7 @@ pub(super) fn trace_picture(
     let strategy = Chosen::new(&fine, StrategyName::Hierarchy, &StructureOptions::default());
     let strategy = strategy
         .map_err(|fault| FigureError::new("scene", fault.to_string(), "change it in the scene"))?;
-    let tracer = Tracer::new(&fine, &strategy, spec.transport).with_light(light);
+    let tracer = Tracer::new(&fine, &strategy, transport).with_light(light);
     let rendered = render::<_, Off>(&tracer, Through::Centres, |_| {});
     let (picture, _) = rendered.map_err(|stopped| too_many_rays(&stopped))?;
     Ok(LoggedPicture {

@@ -5,16 +5,17 @@ use std::ops::ControlFlow;
 
 use crate::figure::{FigureError, FigureKind, FigureSpec, Traced};
 use crate::lesson::LessonError;
+use crate::lesson::compare_transports::{light_of_lamps, rays_of_picture};
 use crate::lesson::error::too_many_rays;
 use crate::lesson::picture::trace_picture;
 use crate::mistake::{mistake, mistakes, shown};
 use crate::parallel;
 use crate::scene::{Loaded, Scene, nearest_name};
 use crate::strategy::{Chosen, Strategy};
-use crate::structure::{StructureOptions, VolumeKind};
+use crate::structure::StructureOptions;
 use crate::trace::{
-    Kind, Kinds, LoggedMistake, LoggedPicture, OfPixels, Off, Record, Recording, Region, Settings,
-    Sink, StrategyName, TestsOfRow, Through,
+    Counts, Kind, Kinds, LoggedMistake, LoggedPicture, OfPixels, Off, Record, Recording, Region,
+    Settings, Sink, StrategyName, TestsOfRow, Through, Totals, Transport,
 };
 use crate::tracer::{
     Heat, HeatLine, LightError, LightPass, Stopped, Tracer, check_light, paths_behind, trace_pixel,
@@ -70,12 +71,17 @@ pub fn trace_figure(
     check_paths(spec, [width, height]).map_err(&wrong)?;
 
     let kept = kept(spec.kind);
-    let trace = |(strategy, structure): (StrategyName, StructureOptions)| {
+    let trace = |variant: Variant| {
+        let Variant {
+            strategy,
+            structure,
+            transport,
+        } = variant;
         let settings = Settings {
             strategy,
             structure,
             building: true,
-            transport: spec.transport,
+            transport,
             light: spec.light,
             through: spec.through,
             one_sided: false,
@@ -106,7 +112,7 @@ pub fn trace_figure(
         let around = Region::around(&whole);
         let light = LightPass::new(&scene, &chosen, &settings, around, |Off| (), |_| ());
         let light = light.map_err(|stopped| wrong(too_many_rays(&stopped)))?;
-        let tracer = Tracer::new(&scene, &chosen, spec.transport).with_light(light.as_ref());
+        let tracer = Tracer::new(&scene, &chosen, transport).with_light(light.as_ref());
         let mut recording = Recording::new(Keep {
             records: Vec::new(),
             whole: &whole,
@@ -121,6 +127,20 @@ pub fn trace_figure(
             let tests = tests_of_pixels(&tracer, spec.through);
             of_pixels.tests = tests.map_err(|stopped| wrong(too_many_rays(&stopped)))?;
         }
+        of_pixels.totals = match (spec.kind, transport) {
+            (FigureKind::Sum, _) => Some(tests_of_some(&tracer, spec.every())),
+            (FigureKind::Transports, _) => Some(rays_of_all(
+                light_of_lamps(scene.clone()),
+                &chosen,
+                &settings,
+            )),
+            (FigureKind::Paths, Transport::Forward) => {
+                Some(rays_of_all(scene.clone(), &chosen, &settings))
+            }
+            _ => None,
+        }
+        .transpose()
+        .map_err(|stopped| wrong(too_many_rays(&stopped)))?;
         let traced = Traced {
             scene: scene.clone(),
             settings,
@@ -131,11 +151,14 @@ pub fn trace_figure(
     };
     let traced: Result<Vec<_>, LessonError> = variants(spec).into_iter().map(trace).collect();
     let mut traced = traced?;
-    if spec.shows_picture()
-        && let Some((first, light)) = traced.first_mut()
-    {
-        let picture = trace_picture(&scene, spec, light.as_ref());
-        first.of_pixels.picture = Some(picture.map_err(&wrong)?);
+    if spec.shows_picture() {
+        // each kind of ray tracing has a picture of its own
+        let pictures = spec.transports.len().max(1);
+        for (of, light) in traced.iter_mut().take(pictures) {
+            let transport = of.settings.transport;
+            let picture = trace_picture(&scene, (spec, transport), light.as_ref());
+            of.of_pixels.picture = Some(picture.map_err(&wrong)?);
+        }
     }
     if spec.kind == FigureKind::Mistake
         && let Some((first, _)) = traced.first_mut()
@@ -168,26 +191,90 @@ fn mistaken(
     shown(scene, mistake).map_err(|not| error(not.to_string(), "choose another scene".into()))
 }
 
-/// The strategies with the structures that a figure compares, or the one that it shows.
-fn variants(spec: &FigureSpec) -> Vec<(StrategyName, StructureOptions)> {
-    let strategies: &[StrategyName] = match spec.strategies.as_slice() {
-        [] => &[spec.strategy],
-        several => several,
+/// What differs from trace to trace.
+struct Variant {
+    strategy: StrategyName,
+    structure: StructureOptions,
+    transport: Transport,
+}
+
+/// All combinations of the strategies, volumes, resolutions and transports that a figure compares, or the one that it shows.
+fn variants(spec: &FigureSpec) -> Vec<Variant> {
+    fn or_one<T: Copy>(several: &[T], one: T) -> Vec<T> {
+        if several.is_empty() {
+            vec![one]
+        } else {
+            several.into()
+        }
+    }
+    let resolutions: Vec<_> = spec.resolutions.iter().copied().map(Some).collect();
+    let mut variants = Vec::new();
+    for strategy in or_one(&spec.strategies, spec.strategy) {
+        for volume in or_one(&spec.volumes, spec.structure.volume) {
+            for resolution in or_one(&resolutions, spec.structure.grid.resolution) {
+                for transport in or_one(&spec.transports, spec.transport) {
+                    let mut structure = StructureOptions {
+                        volume,
+                        ..spec.structure
+                    };
+                    structure.grid.resolution = resolution;
+                    variants.push(Variant {
+                        strategy,
+                        structure,
+                        transport,
+                    });
+                }
+            }
+        }
+    }
+    variants
+}
+
+/// The tests of every n-th pixel both ways.
+fn tests_of_some<S: Strategy>(tracer: &Tracer<'_, S>, every: u32) -> Result<Totals, Stopped> {
+    let [width, height] = tracer.scene.camera.pixels;
+    let rows: Vec<u32> = (0..height).step_by(every as usize).collect();
+    let of_row = |row: usize| {
+        let mut counts = Counts::default();
+        let mut pixels = 0;
+        for x in (0..width).step_by(every as usize) {
+            trace_pixel(tracer, [x, rows[row]], Through::Centres, &mut counts)?;
+            pixels += 1;
+        }
+        Ok((pixels, counts))
     };
-    let volumes: &[VolumeKind] = match spec.volumes.as_slice() {
-        [] => &[spec.structure.volume],
-        several => several,
+    let mut totals = Totals {
+        every,
+        ..Totals::default()
     };
-    let of_strategy = |&strategy: &StrategyName| {
-        volumes.iter().map(move |&volume| {
-            let structure = StructureOptions {
-                volume,
-                ..spec.structure
-            };
-            (strategy, structure)
-        })
-    };
-    strategies.iter().flat_map(of_strategy).collect()
+    for row in parallel::map(rows.len(), of_row) {
+        let (pixels, counts): (u64, Counts) = row?;
+        let search = &counts.search;
+        totals.pixels += pixels;
+        totals.objects += counts.objects_tested();
+        totals.nodes += search.bounds.tests + search.entered;
+        totals.cells += search.cells;
+    }
+    Ok(totals)
+}
+
+/// The rays of the whole picture, with those of paths of light.
+fn rays_of_all<S: Strategy>(
+    scene: Scene,
+    strategy: &S,
+    settings: &Settings,
+) -> Result<Totals, Stopped> {
+    let (counts, rays) = rays_of_picture(&scene, strategy, settings)?;
+    let [width, height] = scene.camera.pixels.map(u64::from);
+    Ok(Totals {
+        every: 1,
+        pixels: width * height,
+        cast: rays.cast,
+        contributed: rays.contributed(),
+        paths: counts.light.paths,
+        arrived: counts.light.reached_eye,
+        ..Totals::default()
+    })
 }
 
 /// Records the paths of light that a figure shows, then its pixels, and the last one of the picture: its colour closes the
@@ -236,8 +323,8 @@ fn tests_of_pixels<S: Strategy>(
 
 /// Does this kind of figure draw paths of light?
 fn draws_paths(kind: FigureKind) -> bool {
-    use FigureKind::{Connections, Gather, Paths, Rays};
-    matches!(kind, Rays | Paths | Gather | Connections)
+    use FigureKind::{Connections, Gather, Paths, Rays, Transports};
+    matches!(kind, Rays | Paths | Gather | Connections | Transports)
 }
 
 /// Are there the paths of light that the figure shows?
@@ -245,8 +332,11 @@ fn check_paths(spec: &FigureSpec, pixels: [u32; 2]) -> Result<(), FigureError> {
     let Some(shown) = spec.paths else {
         return Ok(());
     };
+    let follows = |transport: &&Transport| transport.follows_light();
+    let transport = spec.transports.iter().find(follows);
+    let transport = *transport.unwrap_or(&spec.transport);
     let settings = Settings {
-        transport: spec.transport,
+        transport,
         light: spec.light,
         ..Settings::default()
     };
@@ -254,7 +344,7 @@ fn check_paths(spec: &FigureSpec, pixels: [u32; 2]) -> Result<(), FigureError> {
     let (what, fix) = if !draws_paths(spec.kind) {
         let what = "this kind of figure draws no paths of light".to_owned();
         (what, "omit \"paths\"".to_owned())
-    } else if !spec.transport.follows_light() {
+    } else if !transport.follows_light() {
         let what = "this transport traces no light from the lights".to_owned();
         let fix = "omit \"paths\", or choose another \"transport\", such as \"forward\"";
         (what, fix.to_owned())
@@ -293,7 +383,7 @@ fn shown_paths<S: Strategy>(
     spec: &FigureSpec,
     whole: &[[u32; 2]],
 ) -> Result<BTreeSet<u32>, Stopped> {
-    if !draws_paths(spec.kind) {
+    if !draws_paths(spec.kind) || !tracer.transport.follows_light() {
         return Ok(BTreeSet::new());
     }
     let mut shown: BTreeSet<u32> = (0..spec.paths.unwrap_or(0)).collect();

@@ -26,7 +26,7 @@ pub(crate) use log::png_bytes;
 pub(crate) use log::{EventWriter, has_text, value_of, write_event};
 pub use log::{
     LOG_VERSION, LightOptions, LineSink, LogError, LogNames, LoggedMistake, LoggedPicture,
-    OfPixels, Spoilt, SpoiltValue, TestsOfRow, begins_log, fields_of, write_log_head,
+    OfPixels, Spoilt, SpoiltValue, TestsOfRow, Totals, begins_log, fields_of, write_log_head,
     write_of_pixels,
 };
 #[cfg(feature = "schema")]

@@ -19,6 +19,7 @@ use crate::figure::sheet::text::formula;
 use crate::figure::spec::Layer;
 use crate::figure::subject::Figure;
 use crate::figure::view::Space;
+use crate::scene::PrimitiveId;
 
 pub(super) const KIND: Kind = Kind {
     draw,
@@ -113,6 +114,7 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
         outline::draw(sheet, &space, &outline, Look::OBJECT);
         let name = scenery::name_of(figure.scene, object);
         sheet.label_in(space.frame, name);
+        above(figure, sheet, &space, object);
     }
     sheet.within(space.frame, |sheet| {
         if figure.shows(Layer::Hits) {
@@ -138,6 +140,22 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
         "Photons on {object} around the point p that the eye ray hits. {}.",
         numbers.join(", ")
     ))
+}
+
+/// The outlines of the other objects, which lie above the surface: where light is missing, or gathered by glass.
+fn above(figure: &Figure, sheet: &mut Sheet, space: &Space, object: PrimitiveId) {
+    for id in figure.near.iter().copied().filter(|id| *id != object) {
+        let shape = &figure.scene.primitive(id).shape;
+        let outline = Outline::of(shape, &space.projection);
+        outline::rim(sheet, space, &outline.rim, Look::HELP);
+        let points = outline.rim.points().into_iter();
+        let points = points.map(|at| space.place_flat(at));
+        let lowest = points.max_by(|a, b| a.y.total_cmp(&b.y));
+        if let Some(at) = lowest.filter(|at| space.frame.contains(*at)) {
+            let name = scenery::name_of(figure.scene, id);
+            sheet.label(space.frame, at, DVec2::Y, format!("{name}, above"));
+        }
+    }
 }
 
 /// The working of the density, in lines.

@@ -1,6 +1,8 @@
 //! The light that falls on what each pixel sees, as it is stored on the surfaces: photon by photon, or in the cells of
 //! an illumination map (Arvo 1986).
 
+use std::collections::{BTreeMap, BTreeSet};
+
 use glam::{DVec2, DVec3};
 
 use crate::explain::Part;
@@ -10,14 +12,18 @@ use crate::figure::kind::Kind;
 use crate::figure::parts::gathering::Gathering;
 use crate::figure::parts::picture;
 use crate::figure::parts::scale_bar;
+use crate::figure::parts::scenery;
+use crate::figure::parts::ticks;
 use crate::figure::sheet::Sheet;
 use crate::figure::sheet::canvas::quantity;
 use crate::figure::sheet::frame::Frame;
 use crate::figure::sheet::image::Image;
+use crate::figure::sheet::look::Look;
 use crate::figure::sheet::text::Text;
 use crate::figure::spec::Layer;
 use crate::figure::subject::Figure;
 use crate::figure::traced::Traced;
+use crate::scene::{PrimitiveId, Shape};
 use crate::trace::Event;
 
 pub(super) const KIND: Kind = Kind {
@@ -117,12 +123,15 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
     if let Some(([x, y], stage)) = marked {
         sheet.at(stage, |sheet| {
             let side = whole.size() / DVec2::from(figure.scene.camera.pixels.map(f64::from));
-            let corner = whole.min + side * DVec2::new(f64::from(x), f64::from(y));
-            let pixel = Frame {
-                min: corner,
-                max: corner + side,
+            // all that shows the same cell of the map, or the pixel alone
+            let [first, last] = cell_around(figure.first, [x, y]);
+            let corner =
+                |[x, y]: [u32; 2]| whole.min + side * DVec2::new(f64::from(x), f64::from(y));
+            let cell = Frame {
+                min: corner(first),
+                max: corner(last.map(|of| of + 1)),
             };
-            sheet.on_picture(&pixel.wider(sheet.unit()).corners(), true);
+            sheet.on_picture(&cell.wider(sheet.unit()).corners(), true);
         });
     }
     if figure.shows(Layer::Legend) {
@@ -130,10 +139,108 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
             min: DVec2::new(whole.min.x, whole.max.y + 0.5 * line),
             max: DVec2::new(whole.max.x, whole.max.y + 1.5 * line),
         };
-        let numbers = [0.0, 0.5, 1.0].map(|share| (share, quantity(share * most)));
+        let numbers = numbers_below(sheet, bar, most);
         scale_bar::draw(sheet, bar, &numbers, "irradiance E in W/m²");
     }
+    around_the_map(figure, sheet, (whole, room));
     Ok(sentences.join(" "))
+}
+
+/// The first and the last pixel, both ways, of those around one that gather the same: they show the same cell of the map.
+fn cell_around(traced: &Traced, pixel: [u32; 2]) -> [[u32; 2]; 2] {
+    let mut gathered = BTreeMap::new();
+    for record in &traced.records {
+        if let (Some(pixel), Event::Gathered(of), Some(0)) =
+            (record.pixel, &record.event, record.ray)
+        {
+            // photons around a point belong to no cell
+            let of_cell = of.radius.is_none();
+            let same = (of.count, mean(of.irradiance).to_bits(), of.area.to_bits());
+            gathered.insert(pixel, of_cell.then_some(same));
+        }
+    }
+    let [mut first, mut last] = [pixel; 2];
+    let Some(Some(here)) = gathered.get(&pixel).copied() else {
+        return [first, last];
+    };
+    let (mut open, mut seen) = (vec![pixel], BTreeSet::from([pixel]));
+    while let Some([x, y]) = open.pop() {
+        first = [first[0].min(x), first[1].min(y)];
+        last = [last[0].max(x), last[1].max(y)];
+        let beside = [
+            [x.wrapping_sub(1), y],
+            [x + 1, y],
+            [x, y.wrapping_sub(1)],
+            [x, y + 1],
+        ];
+        for next in beside {
+            if gathered.get(&next) == Some(&Some(here)) && seen.insert(next) {
+                open.push(next);
+            }
+        }
+    }
+    [first, last]
+}
+
+/// Round numbers below the scale, and the largest at its end; a round one too near to that is left out.
+fn numbers_below(sheet: &Sheet, bar: Frame, most: f64) -> Vec<(f64, String)> {
+    // ticks are of whole numbers: of thousandths of the power of ten above
+    let unit = libm::pow(10.0, libm::log10(most.max(f64::MIN_POSITIVE)).ceil() - 3.0);
+    let last = quantity(most);
+    let room = bar.size().x - sheet.width_of(&last) - 0.5 * sheet.letters;
+    let round = ticks::linear((most / unit) as u128);
+    let round = round.into_iter().map(|tick| tick as f64 * unit);
+    let mut numbers: Vec<(f64, String)> = round
+        .map(|tick| (tick / most.max(f64::MIN_POSITIVE), quantity(tick)))
+        .filter(|(share, text)| share * bar.size().x + 0.5 * sheet.width_of(text) < room)
+        .collect();
+    numbers.push((1.0, last));
+    numbers
+}
+
+/// The lamps and the polygons that hold light back, as the camera sees them, where they are beside the map or over it.
+fn around_the_map(figure: &Figure, sheet: &mut Sheet, (whole, room): (Frame, Frame)) {
+    let camera = &figure.scene.camera;
+    let place = |at: DVec3| -> Option<DVec2> {
+        let normal = camera.right.cross(camera.up);
+        let towards = at - camera.cop;
+        let t = normal.dot(camera.to_corner) / normal.dot(towards);
+        if !(0.0 < t && t.is_finite()) {
+            return None;
+        }
+        let on_window = t * towards - camera.to_corner;
+        let share = |side: DVec3| on_window.dot(side) / side.length_squared();
+        let from_corner = DVec2::new(share(camera.right), 1.0 - share(camera.up));
+        let at = whole.min + whole.size() * from_corner;
+        room.contains(at).then_some(at)
+    };
+    let lit: Vec<_> = figure
+        .first
+        .records
+        .iter()
+        .filter_map(|record| match &record.event {
+            Event::Gathered(of) => Some(of.object),
+            _ => None,
+        })
+        .collect();
+    for (id, primitive) in (0..).map(PrimitiveId).zip(&figure.scene.primitives) {
+        let Shape::Polygon(polygon) = &primitive.shape else {
+            continue;
+        };
+        let outline: Option<Vec<DVec2>> = polygon.vertices().map(place).collect();
+        if let (Some(outline), false) = (outline, lit.contains(&id)) {
+            let first = outline[0];
+            sheet.polygon(Look::OBJECT.wide(1.5), outline);
+            let name = scenery::name_of(figure.scene, id);
+            sheet.label(room, first, DVec2::Y, name);
+        }
+    }
+    for light in &figure.scene.lights {
+        if let Some(at) = place(light.position) {
+            sheet.circle(Look::LIGHT_RAY, at, 5.0 * sheet.unit());
+            sheet.label(room, at, DVec2::NEG_Y, light.name.to_string());
+        }
+    }
 }
 
 /// What was gathered at a pixel, in lines.

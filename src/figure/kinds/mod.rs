@@ -1,15 +1,18 @@
 //! The kinds of figure, one file each.
 
 mod alignment;
+mod building;
 mod connections;
 mod costs;
 mod gather;
 mod grid;
+mod grids;
 mod heap;
 mod heat;
 mod hierarchy;
 mod intervals;
 mod irradiance;
+mod line_drawing;
 mod line_of_t;
 mod merge;
 mod mistake;
@@ -20,9 +23,12 @@ mod pinhole;
 mod polygon;
 mod rays;
 mod shading;
+mod slab_terms;
 mod slabs;
 mod sphere;
 mod steps;
+mod sum;
+mod transports;
 mod volumes;
 mod window;
 
@@ -55,6 +61,12 @@ pub(super) fn kind(name: FigureKind) -> Kind {
         FigureKind::Steps => steps::KIND,
         FigureKind::Costs => costs::KIND,
         FigureKind::Heat => heat::KIND,
+        FigureKind::Sum => sum::KIND,
+        FigureKind::Transports => transports::KIND,
+        FigureKind::SlabTerms => slab_terms::KIND,
+        FigureKind::Building => building::KIND,
+        FigureKind::LineDrawing => line_drawing::KIND,
+        FigureKind::Grids => grids::KIND,
         FigureKind::Picture => picture::KIND,
         FigureKind::Mistake => mistake::KIND,
     }

@@ -75,9 +75,9 @@ impl<'a> Gathering<'a> {
         let area = self.gathered.area;
         match self.gathered.radius {
             Some(r) if (area - PI * r * r).abs() <= ROUNDING * area => {
-                format!("(π · {}²)", quantity(r))
+                format!("(π · {}² m²)", quantity(r))
             }
-            _ => quantity(area),
+            _ => format!("{} m²", quantity(area)),
         }
     }
 
@@ -150,7 +150,7 @@ mod tests {
             ..Gathered::default()
         };
         let found = gathering(&photons, &gathered).working();
-        assert_eq!(found, ["E = 2 · 0.5 W / (π · 2²) = 0.07958 W/m²"]);
+        assert_eq!(found, ["E = 2 · 0.5 W / (π · 2² m²) = 0.07958 W/m²"]);
     }
 
     #[test]
@@ -164,7 +164,10 @@ mod tests {
             ..Gathered::default()
         };
         let found = gathering(&photons, &gathered).working();
-        assert_eq!(found, ["E = (2, 1, 1) W / 4", "= (0.5, 0.25, 0.25) W/m²"]);
+        assert_eq!(
+            found,
+            ["E = (2, 1, 1) W / 4 m²", "= (0.5, 0.25, 0.25) W/m²"]
+        );
     }
 
     #[test]
@@ -177,6 +180,6 @@ mod tests {
             ..Gathered::default()
         };
         let found = gathering(&[], &gathered).working();
-        assert_eq!(found, ["E = 1.5 W / 0.5 = 3 W/m²"]);
+        assert_eq!(found, ["E = 1.5 W / 0.5 m² = 3 W/m²"]);
     }
 }

@@ -4,6 +4,7 @@ use glam::DVec2;
 
 use crate::explain::Part;
 use crate::figure::error::FigureError;
+use crate::figure::parts::transport_name::transport_name;
 use crate::figure::sheet::frame::Frame;
 use crate::figure::sheet::image::Image;
 use crate::figure::sheet::look::Look;
@@ -55,6 +56,9 @@ pub(in crate::figure) fn draw(
     sheet: &mut Sheet,
     frame: Frame,
 ) -> Result<String, FigureError> {
+    if 1 < figure.traced.len() {
+        return several(figure, sheet, frame);
+    }
     let pixels = figure.pixels();
     let mut verdicts = Vec::new();
     for pixel in &pixels {
@@ -111,6 +115,44 @@ pub(in crate::figure) fn draw(
     Ok(sentences.join(" "))
 }
 
+/// The pictures of several kinds of ray tracing side by side, each below its name.
+fn several(figure: &Figure, sheet: &mut Sheet, frame: Frame) -> Result<String, FigureError> {
+    let count = figure.traced.len() as f64;
+    let gap = 1.5 * sheet.letters;
+    let width = (frame.size().x - (count - 1.0) * gap) / count;
+    let mut names = Vec::new();
+    for (place, traced) in figure.traced.iter().enumerate() {
+        let image = traced.picture().ok_or_else(no_picture)?;
+        let name = transport_name(traced.settings.transport);
+        let stage = sheet.stage(name, None, format!("The picture by {name}."));
+        let left = frame.min.x + place as f64 * (width + gap);
+        let line = sheet.line_height();
+        let room = Frame {
+            min: DVec2::new(left, frame.min.y + line),
+            max: DVec2::new(left + width, frame.max.y),
+        };
+        sheet.at(stage, |sheet| {
+            let whole = draw_image(sheet, room, image);
+            let above = DVec2::new(whole.middle().x, whole.min.y - 0.5 * line);
+            sheet.text(Anchor::Middle, above, name);
+        });
+        names.push(name);
+    }
+    let [width, height] = figure.scene.camera.pixels;
+    Ok(format!(
+        "The picture of the scene, {width} × {height} pixels, by {}.",
+        names.join(" and by ")
+    ))
+}
+
+fn no_picture() -> FigureError {
+    FigureError::new(
+        "kind",
+        "the log has no picture and no colour of a pixel",
+        "trace the figure again",
+    )
+}
+
 /// So many pixels have a stage each.
 const FEW: usize = 8;
 
@@ -159,13 +201,7 @@ struct Placed {
 
 impl Placed {
     fn draw(figure: &Figure, sheet: &mut Sheet, room: Frame) -> Result<Self, FigureError> {
-        let image = figure.first.picture().ok_or_else(|| {
-            FigureError::new(
-                "kind",
-                "the log has no picture and no colour of a pixel",
-                "trace the figure again",
-            )
-        })?;
+        let image = figure.first.picture().ok_or_else(no_picture)?;
         let whole = draw_image(sheet, room, image);
         let [width, height] = figure.scene.camera.pixels.map(f64::from);
         Ok(Self {

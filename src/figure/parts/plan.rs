@@ -81,7 +81,9 @@ impl Plan {
                 };
                 let line = [end(0), end(self.lattice.resolution[along])];
                 let is_outer = place == 0 || place == last;
-                let look = Look::THIN.wide(if is_outer { 1.5 } else { 0.75 });
+                // so many planes would hide what lies between them
+                let inner = if MANY <= last { 0.35 } else { 0.75 };
+                let look = Look::THIN.wide(if is_outer { 1.5 } else { inner });
                 outline::line_on(sheet, &self.space, look, &line);
             }
         }
@@ -164,6 +166,22 @@ impl Plan {
         });
     }
 
+    /// The whole ray at once: up to its hit with its line behind it, or through the whole grid.
+    pub(in crate::figure) fn whole_ray(&self, sheet: &mut Sheet, is_up_to_hit: bool) {
+        let Some(part) = self.part else { return };
+        let [_, leaves] = part.inside;
+        let beyond = leaves + BEYOND * self.lattice.diagonal();
+        let end = if is_up_to_hit { part.ends } else { beyond };
+        if end < leaves {
+            let line = [end, beyond].map(|t| self.space.projection.of(part.ray.at(t)));
+            outline::line_on(sheet, &self.space, Look::LINE_OF_RAY, &line);
+        }
+        let ends = [part.from, end].map(|t| self.place(t));
+        if let Some([from, to]) = self.space.frame.cut_line(ends) {
+            sheet.arrow(Look::RAY, from, to);
+        }
+    }
+
     /// The axis of the plane of the box on which the ray is at a t; `None` if it is inside the box.
     pub(in crate::figure) fn entered_across(&self, t: f64) -> Option<usize> {
         /// Of the box, for the rounding of a point on its plane.
@@ -227,11 +245,16 @@ pub(in crate::figure) fn stages(
 pub(in crate::figure) const EMPTY: Look = Look::VISITED.inside();
 pub(in crate::figure) const LISTED: Look = Look::VISITED.wide(2.5);
 
+/// Cells along an axis from which on planes are drawn fine.
+const MANY: u32 = 24;
+
+/// So far beyond the grid a ray is seen, of the box's diagonal.
+const BEYOND: f64 = 0.06;
+
 /// A ray that comes from far off is seen from a little before the grid. `None` if it passes by.
 fn shown_part(figure: &Figure, ray: &DrawnRay, walk: &Walk, lattice: &Lattice) -> Option<Shown> {
-    /// Of the box's diagonal, before it and beyond it.
+    /// Of the box's diagonal, before it.
     const BEFORE: f64 = 0.12;
-    const BEYOND: f64 = 0.06;
     let start = ray.node.start?;
     let [enters, leaves] = walk.grid.inside?;
     let inside = [enters.max(0.0), leaves.max(0.0)];

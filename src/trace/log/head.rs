@@ -123,6 +123,9 @@ pub fn write_of_pixels(of_pixels: &OfPixels, out: &mut impl Write) -> io::Result
     if let Some(mistake) = &of_pixels.mistake {
         write_line(&mistake.line(), out)?;
     }
+    if let Some(totals) = of_pixels.totals {
+        write_line(&totals.line(), out)?;
+    }
     for (row, tests) in of_pixels.tests.iter().enumerate() {
         write_line(&tests.line(row), out)?;
     }

@@ -35,7 +35,9 @@ pub use line_sink::LineSink;
 pub(crate) use line_values::{has_text, value_of};
 pub(crate) use line_writer::write_event;
 pub use names::LogNames;
-pub use of_pixels::{LoggedMistake, LoggedPicture, OfPixels, Spoilt, SpoiltValue, TestsOfRow};
+pub use of_pixels::{
+    LoggedMistake, LoggedPicture, OfPixels, Spoilt, SpoiltValue, TestsOfRow, Totals,
+};
 pub(crate) use reader::LogReader;
 pub use reader::begins_log;
 #[cfg(feature = "schema")]

@@ -102,6 +102,31 @@ impl From<&str> for SpoiltValue {
     }
 }
 
+/// What the rays of a picture took, all pixels together, or every n-th both ways.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields)]
+pub struct Totals {
+    /// Every n-th column and row was traced, from the first on; 1: all.
+    pub every: u32,
+    /// How many pixels were traced.
+    pub pixels: u64,
+    /// Objects tested: a polygon counts once, by its plane.
+    pub objects: u64,
+    /// Bounds tested and nodes entered.
+    pub nodes: u64,
+    /// Cells of the grid visited.
+    pub cells: u64,
+    /// Rays cast, those of paths of light among them.
+    pub cast: u64,
+    /// Rays that brought light into the picture.
+    pub contributed: u64,
+    /// Paths of light that were followed.
+    pub paths: u64,
+    /// Paths of light that reached the eye.
+    pub arrived: u64,
+}
+
 /// What a log holds of every pixel.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct OfPixels {
@@ -111,6 +136,8 @@ pub struct OfPixels {
     pub tests: Vec<TestsOfRow>,
     /// What a mistake makes of it, if the figure shows one.
     pub mistake: Option<LoggedMistake>,
+    /// What the rays of the picture took, if the figure shows it.
+    pub totals: Option<Totals>,
 }
 
 /// A line that holds the picture.
@@ -143,6 +170,27 @@ pub(super) struct TestsLine {
     nodes: Vec<u64>,
     /// Cells visited for each pixel.
     cells: Vec<u64>,
+}
+
+/// A line that holds what the rays of the picture took.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields)]
+pub(super) struct TotalsLine {
+    /// `totals`.
+    kind: String,
+    /// The numbers.
+    pub(super) totals: Totals,
+}
+
+impl Totals {
+    /// As a line of a log.
+    pub(super) fn line(self) -> TotalsLine {
+        TotalsLine {
+            kind: "totals".into(),
+            totals: self,
+        }
+    }
 }
 
 /// A line that holds what a mistake spoils.

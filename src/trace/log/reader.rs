@@ -13,6 +13,7 @@ use crate::trace::log::lines::LogLines;
 use crate::trace::log::name_table::NameTable;
 use crate::trace::log::of_pixels::{
     LoggedMistake, LoggedPicture, MistakeLine, OfPixels, PictureLine, TestsLine, TestsOfRow,
+    TotalsLine,
 };
 use crate::trace::record::path_sieve::keep_paths_behind;
 use crate::trace::record::recorder::{Numbering, Place};
@@ -218,6 +219,9 @@ fn read_of_pixels(
     if let Some(line) = next_of_kind::<MistakeLine>(lines, "mistake")? {
         let mistake = LoggedMistake::of_line(line, pixels);
         read.mistake = Some(mistake.map_err(|what| lines.damaged(Damage::new(what)))?);
+    }
+    if let Some(line) = next_of_kind::<TotalsLine>(lines, "totals")? {
+        read.totals = Some(line.totals);
     }
     while let Some(line) = next_of_kind::<TestsLine>(lines, "pixel_tests")? {
         let tests = TestsOfRow::of_line(line, read.tests.len(), pixels[0]);

@@ -8,7 +8,7 @@ use crate::scene::SceneFile;
 use crate::trace::Kind;
 use crate::trace::log::event_schema::event_schema;
 use crate::trace::log::head::{Header, LOG_VERSION, ObjectLine};
-use crate::trace::log::of_pixels::{MistakeLine, PictureLine, TestsLine};
+use crate::trace::log::of_pixels::{MistakeLine, PictureLine, TestsLine, TotalsLine};
 
 /// The JSON Schema (draft 2020-12) of a scene file.
 pub fn scene_schema() -> Value {
@@ -24,6 +24,7 @@ pub fn trace_schema() -> Value {
     let object = generator.subschema_for::<ObjectLine>().to_value();
     let picture = generator.subschema_for::<PictureLine>().to_value();
     let mistake = generator.subschema_for::<MistakeLine>().to_value();
+    let totals = generator.subschema_for::<TotalsLine>().to_value();
     let tests = generator.subschema_for::<TestsLine>().to_value();
     let mut lines = vec![
         of_kind(
@@ -34,6 +35,7 @@ pub fn trace_schema() -> Value {
         of_kind("object", json!({}), &object),
         of_kind("picture", json!({}), &picture),
         of_kind("mistake", json!({}), &mistake),
+        of_kind("totals", json!({}), &totals),
         of_kind("pixel_tests", json!({}), &tests),
     ];
     lines.extend(Kind::ALL.map(event_schema));
@@ -42,7 +44,7 @@ pub fn trace_schema() -> Value {
         "$schema": "https://json-schema.org/draft/2020-12/schema",
         "title": "one line of a raystep log",
         "description": "JSON Lines: the line of kind trace comes first, then one line for each object, \
-                        in the log of a figure its picture, what a mistake makes of it and a line for each row of tests, then one line for each event, in the order in which it happened.",
+                        in the log of a figure its picture, what a mistake makes of it, what its rays took and a line for each row of tests, then one line for each event, in the order in which it happened.",
         "oneOf": lines,
         "$defs": definitions,
     })

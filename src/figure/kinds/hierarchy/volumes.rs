@@ -21,6 +21,9 @@ use crate::figure::view::Space;
 /// are told apart.
 const LEVEL: f64 = 2.5;
 
+/// So many objects have their names on a slide too.
+const FEW: usize = 8;
+
 impl Walk<'_> {
     /// The volumes of the nodes around the objects, and the ray.
     pub(super) fn volumes(
@@ -60,7 +63,14 @@ impl Walk<'_> {
             self.ray(figure, sheet, &space, argument);
         }
         if figure.shows(Layer::Names) {
-            scenery::names(figure, sheet, &space);
+            // the letters of a slide leave no room for all names, which the tree has as well
+            let names_all = sheet.width == Width::Book
+                || !figure.shows(Layer::Tree)
+                || figure.scene.objects.len() <= FEW;
+            let hit = met(&self.ray).map(|(object, _)| figure.scene.object_of(object).first);
+            scenery::names_of(figure, sheet, &space, |object| {
+                names_all || hit == Some(object.first)
+            });
         }
     }
 

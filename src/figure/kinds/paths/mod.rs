@@ -17,6 +17,7 @@ use crate::figure::parts::disc;
 use crate::figure::parts::gathering::Gathering;
 use crate::figure::parts::light_path::{Leg, Use};
 use crate::figure::parts::outline::{self, Rim};
+use crate::figure::parts::percent::percent;
 use crate::figure::parts::scenery;
 use crate::figure::sheet::Sheet;
 use crate::figure::sheet::canvas::quantity;
@@ -27,7 +28,9 @@ use crate::figure::spec::Layer;
 use crate::figure::subject::Figure;
 use crate::figure::traced::Section;
 use crate::figure::view::Space;
-use crate::trace::{Purpose, RayTree, Transport};
+use crate::geometry::{Ray, TRange};
+use crate::trace::{Purpose, RayTree, Totals, Transport};
+use crate::tracer::simple::{Own, closest};
 
 pub(super) const KIND: Kind = Kind {
     draw,
@@ -44,7 +47,7 @@ pub(super) const KIND: Kind = Kind {
         Layer::Legend,
         Layer::Numbers,
     ],
-    more: &[],
+    more: &[Layer::ShadowRays],
 };
 
 /// Which legs are drawn: of stored light those that leave a photon, and if only what leads to the pixels was asked for, those
@@ -131,6 +134,13 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
                 }
             });
         }
+        if figure.shows(Layer::ShadowRays) {
+            sheet.at(argument.end, |sheet| {
+                for gathering in gatherings {
+                    to_the_lights(figure, sheet, &space, gathering);
+                }
+            });
+        }
     }
     Ok(in_words(figure, &shown))
 }
@@ -153,6 +163,16 @@ fn numbers(
         (_, Some(1..)) if 0 < first => format!("The first {first} of {all} paths of light"),
         _ => format!("{} of {all} paths of light", grouped(drawn as u64)),
     };
+    let wasted = totals(figure).map(|of| {
+        let share = 1.0 - of.arrived as f64 / of.paths.max(1) as f64;
+        format!(
+            "{} of {} paths of light reach the eye: {} % are wasted",
+            grouped(of.arrived),
+            grouped(of.paths),
+            percent(share)
+        )
+    });
+    let of_paths = wasted.unwrap_or(of_paths);
     let with_paths = argument
         .paths
         .first()
@@ -170,7 +190,10 @@ fn numbers(
     } else {
         let seen = shown.count(Use::Seen);
         let sought = drawn.saturating_sub(first);
-        at_end.push(if 0 < first && 0 < sought {
+        let arrived = totals(figure).map(|of| of.arrived);
+        at_end.push(if arrived == Some(seen as u64) && seen == sought {
+            format!("Drawn: the first {first}, of which none does, and all {sought} that do").into()
+        } else if 0 < first && 0 < sought {
             let so = match seen - sought {
                 0 => "None of them reaches the eye".to_owned(),
                 1 => "One of them reaches the eye".to_owned(),
@@ -183,6 +206,11 @@ fn numbers(
     }
     rest.min.y -= 0.4 * sheet.line_height();
     sheet.at(argument.end, |sheet| sheet.lines(rest, &at_end))
+}
+
+/// The numbers of all paths, if they were followed for the picture.
+fn totals(figure: &Figure) -> Option<Totals> {
+    figure.first.of_pixels.totals.filter(|of| 0 < of.paths)
 }
 
 /// The eye with its aperture, where light must pass it.
@@ -321,6 +349,29 @@ fn disc_around(
     }
 }
 
+/// What a shadow ray from the point would meet: no such ray is cast here, since light was stored.
+fn to_the_lights(figure: &Figure, sheet: &mut Sheet, space: &Space, gathering: &Gathering) {
+    /// Of the way to the light: the surface itself does not count.
+    const START: f64 = 1e-6;
+    let point = gathering.gathered.point;
+    for light in &figure.scene.lights {
+        let ray = Ray::new(point, light.position - point);
+        let range = TRange {
+            min: START,
+            max: 1.0,
+        };
+        let blocker = closest(figure.scene, &Own, &ray, range);
+        let [from, to] = [0.0, blocker.map_or(1.0, |hit| hit.t)].map(|t| space.place(ray.at(t)));
+        sheet.line(Look::SHADOW_RAY.in_front(), from, to);
+        if let Some(hit) = blocker {
+            sheet.cross(Look::REJECTED, to);
+            let name = scenery::name_of(figure.scene, hit.object);
+            let text = format!("a shadow ray would meet the {name}");
+            sheet.label(space.frame, from.lerp(to, 0.5), DVec2::X, text);
+        }
+    }
+}
+
 /// The two points that are farthest apart to the right and to the left.
 fn ends_across(rim: &[DVec2]) -> [DVec2; 2] {
     let first = rim.first().copied().unwrap_or_default();
@@ -350,8 +401,16 @@ fn in_words(figure: &Figure, shown: &Shown) -> String {
             let legs = shown.paths.iter().flat_map(|(path, _)| &path.legs);
             through.extend(legs.filter_map(|leg| Some(leg.arrival?.pixel)));
             let through: Vec<String> = through.iter().map(|[x, y]| format!("({x}, {y})")).collect();
+            sentences.extend(totals(figure).map(|of| {
+                let share = 1.0 - of.arrived as f64 / of.paths as f64;
+                format!(
+                    "Of all {} reach the eye: {} % are wasted.",
+                    grouped(of.arrived),
+                    percent(share)
+                )
+            }));
             sentences.push(format!(
-                "{are} of them reach the eye, through a disc of radius {} around the COP; {} are wasted.",
+                "{are} of those shown reach the eye, through a disc of radius {} around the COP; {} are wasted.",
                 quantity(radius),
                 of - are
             ));

@@ -3,6 +3,8 @@
 use std::collections::BTreeMap;
 use std::ops::Range;
 
+use glam::DVec3;
+
 use crate::explain::grouped;
 use crate::figure::error::FigureError;
 use crate::figure::parts::gathering::Gathering;
@@ -10,6 +12,36 @@ use crate::figure::parts::light_path::{LightPath, Use, gathered_from};
 use crate::figure::subject::Figure;
 use crate::figure::traced::Section;
 use crate::trace::Transport;
+
+/// The part of the scene between two planes across the line of sight: paths that leave it would seem to bend where they do not.
+struct Slice {
+    towards: DVec3,
+    ends: [f64; 2],
+}
+
+impl Slice {
+    /// That of the specification's frame, if it has a depth.
+    fn of(figure: &Figure) -> Option<Self> {
+        let corners = figure.spec.frame?.map(DVec3::from);
+        let projection = figure.projection();
+        let towards = projection.towards();
+        let [a, b] = corners.map(|corner| corner.dot(towards));
+        let ends = [a.min(b), a.max(b)];
+        (!projection.in_space && ends[0] < ends[1]).then_some(Self { towards, ends })
+    }
+
+    /// Does the whole path lie in it?
+    fn holds(&self, path: &LightPath) -> bool {
+        let is_inside = |at: DVec3| {
+            let depth = at.dot(self.towards);
+            self.ends[0] <= depth && depth <= self.ends[1]
+        };
+        path.legs.iter().all(|leg| {
+            let ray = &leg.start.ray;
+            is_inside(ray.origin) && leg.end.t.is_none_or(|t| is_inside(ray.at(t)))
+        })
+    }
+}
 
 /// The paths that are shown, and what each leg of them is good for.
 pub(super) struct Shown<'a> {
@@ -37,7 +69,10 @@ impl<'a> Shown<'a> {
             Some((path, uses))
         };
         let sections = figure.first.paths();
-        let paths: Vec<_> = sections.iter().filter_map(with_uses).collect();
+        let mut paths: Vec<_> = sections.iter().filter_map(with_uses).collect();
+        if let Some(slice) = Slice::of(figure) {
+            paths.retain(|(path, _)| slice.holds(path));
+        }
         if paths.is_empty() {
             return Err(FigureError::new(
                 "paths",

@@ -4,6 +4,7 @@ use crate::figure::error::FigureError;
 use crate::figure::parts::bound::Slab;
 use crate::figure::parts::scenery;
 use crate::figure::subject::Figure;
+use crate::geometry::{SlabInterval, SlabRay};
 use crate::scene::PrimitiveId;
 use crate::trace::{BoundTest, Bounded, Event, RaySlab, Record, SlabTest};
 
@@ -15,6 +16,13 @@ pub(in crate::figure::kinds) struct SlabTests<'a> {
     /// S and T of the ray and each slab.
     lines: Vec<&'a RaySlab>,
     pub(in crate::figure::kinds) decided: Option<(u32, &'a BoundTest)>,
+}
+
+/// A slab with S and T of a ray.
+pub(in crate::figure::kinds) struct SlabRow {
+    pub(in crate::figure::kinds) slab: Slab,
+    pub(in crate::figure::kinds) line: SlabRay,
+    pub(in crate::figure::kinds) interval: SlabInterval,
 }
 
 impl<'a> SlabTests<'a> {
@@ -70,6 +78,19 @@ impl<'a> SlabTests<'a> {
     pub(in crate::figure::kinds) fn of_slab(&self, slab: &Slab) -> Option<usize> {
         let mut tests = self.tests.iter();
         tests.position(|(_, test)| test.step.slab == slab.number)
+    }
+
+    /// The slabs that were tested, each with S and T of the ray and where the ray is inside it.
+    pub(in crate::figure::kinds) fn rows(&self) -> impl Iterator<Item = SlabRow> {
+        self.tests.iter().filter_map(|(_, test)| {
+            let mut lines = self.lines.iter();
+            let line = lines.find(|line| line.slab == test.step.slab)?;
+            Some(SlabRow {
+                slab: Slab::of(test, line),
+                line: line.line(),
+                interval: test.step.interval,
+            })
+        })
     }
 
     /// The slabs that were tested, each with its step.

@@ -11,7 +11,7 @@ use crate::figure::error::FigureError;
 use crate::figure::kind::Kind;
 use crate::figure::kinds::slabs::argument::Argument;
 pub(super) use crate::figure::kinds::slabs::argument::Shown;
-pub(super) use crate::figure::kinds::slabs::found::{SlabTests, bounded};
+pub(super) use crate::figure::kinds::slabs::found::{SlabRow, SlabTests, bounded};
 pub(super) use crate::figure::kinds::slabs::planes::planes;
 use crate::figure::kinds::slabs::table::Table;
 use crate::figure::parts::bound::{self, Slab};
