@@ -187,8 +187,11 @@ fn a_photon_stands_as_far_from_p_as_on_the_floor() {
         _ => None,
     });
     let p = gathered[0].point;
-    // p is the only dot in ink; the dashed line goes from it to the photon that sets the radius
-    let at = circles(&document, "ink")[0];
+    // p is the only dot in ink, beside the outline of the ball above; the dashed line goes from it to the photon that sets
+    // the radius
+    let mut in_ink = elements(&document, "circle", "ink");
+    in_ink.sort_by(|a, b| number(a, "r").total_cmp(&number(b, "r")));
+    let at = DVec2::new(number(&in_ink[0], "cx"), number(&in_ink[0], "cy"));
     let last = *nearby.last().unwrap();
     let to = circles(&document, "rejected")[0];
     let scale = at.distance(to) / p.distance(last);
@@ -298,4 +301,64 @@ fn a_bar_of_costs_is_as_long_as_the_tests_of_the_pixel() {
         (longest / (end - zero) - f64::from(tests) / 200.0).abs() < 1e-3,
         "{longest} {tests}"
     );
+}
+
+/// The least and the largest coordinates of points.
+fn around(points: &[DVec2]) -> [DVec2; 2] {
+    let first = points[0];
+    points
+        .iter()
+        .fold([first; 2], |[min, max], at| [min.min(*at), max.max(*at)])
+}
+
+#[test]
+fn the_cells_that_line_drawing_skips_lie_two_columns_and_one_row_apart() {
+    // [0, 0, 2], [2, 0, 1] and [4, 0, 0] of cells with sides of 1
+    let (_, svg) = drawn("12-grid/line-drawing");
+    let document = Document::parse(&svg).unwrap();
+    let outlines = paths(&document, "rejected");
+    let mut cells: Vec<[DVec2; 2]> = outlines.iter().map(|points| around(points)).collect();
+    cells.sort_by(|a, b| a[0].x.total_cmp(&b[0].x));
+    assert_eq!(cells.len(), 3, "{cells:?}");
+    let side = cells[0][1] - cells[0][0];
+    assert!((side.x / side.y - 1.0).abs() < 1e-2, "{side}");
+    for pair in cells.windows(2) {
+        let apart = pair[1][0] - pair[0][0];
+        let expected = DVec2::new(2.0 * side.x, -side.y);
+        assert!(apart.distance(expected) < 0.1, "{apart}, not {expected}");
+    }
+    // the hit is in the other panel, where A is, within a cell that none of these is
+    let hits = circles(&document, "answer");
+    let is_right = |at: &DVec2| cells[2][1].x + side.x < at.x;
+    assert!(hits.iter().any(is_right), "{hits:?}");
+}
+
+#[test]
+fn the_volumes_of_a_hierarchy_are_joined_until_one_holds_all_others() {
+    let (_, svg) = drawn("11-hierarchy/building");
+    let document = Document::parse(&svg).unwrap();
+    let frame = |node: &Node| {
+        let min = DVec2::new(number(node, "x"), number(node, "y"));
+        let size = DVec2::new(number(node, "width"), number(node, "height"));
+        [min, min + size]
+    };
+    let rectangles = elements(&document, "rect", "visited");
+    let middle = 380.0;
+    let volumes: Vec<[DVec2; 2]> = rectangles
+        .iter()
+        .filter(|node| !node.attribute("class").unwrap().contains("none"))
+        .map(frame)
+        .filter(|[min, max]| max.x < middle && 2.0 < (*max - *min).min_element())
+        .collect();
+    let largest = volumes.iter().max_by(|a, b| {
+        let area = |of: &[DVec2; 2]| (of[1] - of[0]).element_product();
+        area(a).total_cmp(&area(b))
+    });
+    let largest = largest.unwrap();
+    // of eight objects seven volumes
+    assert!(7 <= volumes.len(), "{volumes:?}");
+    let held = volumes
+        .iter()
+        .filter(|[min, max]| largest[0].cmple(*min).all() && max.cmple(largest[1]).all());
+    assert!(7 <= held.count(), "{volumes:?}");
 }

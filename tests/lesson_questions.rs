@@ -13,9 +13,12 @@ use std::path::Path;
 use raystep::lesson::question::{Asked, Form, Given};
 use raystep::{Library, open_lessons};
 
-/// The lessons of the course.
+/// The lessons of the course, without the gallery of mistakes, which is no lesson and asks nothing.
 pub(crate) fn lessons() -> Library {
-    open_lessons(&Path::new(env!("CARGO_MANIFEST_DIR")).join("lessons")).unwrap()
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("lessons");
+    let mut library = open_lessons(&folder).unwrap();
+    library.lessons.retain(|of| of.name != "gallery");
+    library
 }
 
 /// Every question of the course.

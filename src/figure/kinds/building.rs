@@ -68,6 +68,7 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
         joined = of_group.end;
         let left = match merged.len() - joined {
             0 => "one volume is around all".to_owned(),
+            _ if joined == 1 => "1 pair is joined".to_owned(),
             _ => format!("{joined} pairs are joined"),
         };
         let sentence = format!("Bottom-up: {left}. {of_cut}");

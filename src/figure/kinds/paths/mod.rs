@@ -19,11 +19,11 @@ use crate::figure::parts::light_path::{Leg, Use};
 use crate::figure::parts::outline::{self, Rim};
 use crate::figure::parts::percent::percent;
 use crate::figure::parts::scenery;
-use crate::figure::sheet::Sheet;
 use crate::figure::sheet::canvas::quantity;
 use crate::figure::sheet::frame::Frame;
 use crate::figure::sheet::look::Look;
 use crate::figure::sheet::text::{Text, formula};
+use crate::figure::sheet::{Sheet, Width};
 use crate::figure::spec::Layer;
 use crate::figure::subject::Figure;
 use crate::figure::traced::Section;
@@ -163,16 +163,6 @@ fn numbers(
         (_, Some(1..)) if 0 < first => format!("The first {first} of {all} paths of light"),
         _ => format!("{} of {all} paths of light", grouped(drawn as u64)),
     };
-    let wasted = totals(figure).map(|of| {
-        let share = 1.0 - of.arrived as f64 / of.paths.max(1) as f64;
-        format!(
-            "{} of {} paths of light reach the eye: {} % are wasted",
-            grouped(of.arrived),
-            grouped(of.paths),
-            percent(share)
-        )
-    });
-    let of_paths = wasted.unwrap_or(of_paths);
     let with_paths = argument
         .paths
         .first()
@@ -182,7 +172,10 @@ fn numbers(
     if shown.transport == Transport::HybridStored {
         let gathered = shown.pixels.iter().flat_map(|(_, gatherings)| gatherings);
         for of in gathered {
-            let start = Text::from("Step 2: the eye ray gathers ");
+            let start = Text::from(match sheet.width {
+                Width::Book => "Step 2: the eye ray gathers ",
+                Width::Slide => "Step 2: ",
+            });
             let mut lines = of.lines().into_iter();
             at_end.extend(lines.next().map(|first| start + first));
             at_end.extend(lines);
@@ -190,9 +183,16 @@ fn numbers(
     } else {
         let seen = shown.count(Use::Seen);
         let sought = drawn.saturating_sub(first);
-        let arrived = totals(figure).map(|of| of.arrived);
-        at_end.push(if arrived == Some(seen as u64) && seen == sought {
-            format!("Drawn: the first {first}, of which none does, and all {sought} that do").into()
+        let all = totals(figure).filter(|of| of.arrived == seen as u64 && seen == sought);
+        at_end.push(if let Some(of) = all {
+            let share = 1.0 - of.arrived as f64 / of.paths as f64;
+            format!(
+                "{} of all {} reach the eye, and are drawn too: {} % are wasted",
+                grouped(of.arrived),
+                grouped(of.paths),
+                percent(share)
+            )
+            .into()
         } else if 0 < first && 0 < sought {
             let so = match seen - sought {
                 0 => "None of them reaches the eye".to_owned(),
