@@ -160,7 +160,7 @@ fn what_cannot_be_shown_fails_the_build_with_chapter_and_line() {
             "{{#raystep-code /etc/hostname}}",
             "lies outside of the project",
         ),
-        ("{{#raystep-code course/root.py:e}}", "did you mean d?"),
+        ("{{#raystep-code course/root.py:e}}", "it has d"),
         (
             "{{#raystep-code course/01-ball/lesson.json:/figure}}",
             "did you mean figures?",

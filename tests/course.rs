@@ -180,6 +180,22 @@ mod with_course {
         assert!(!out.join("old.html").exists());
     }
 
+    /// The preprocessor looked for the lessons in the folder of the book, whose name it had from elsewhere.
+    #[test]
+    fn a_book_is_found_by_its_name_and_by_the_folder_that_one_is_in() {
+        let (folder, dir) = course();
+        for (here, arguments) in [
+            (folder.path(), &["book", "build", "my course"][..]),
+            (&*dir, &["book", "build"][..]),
+        ] {
+            let mut command = Command::new(env!("CARGO_BIN_EXE_raystep"));
+            let built = command.args(arguments).current_dir(here).output().unwrap();
+            assert!(built.status.success(), "{}", told(&built));
+            assert!(dir.join("book/ball.html").is_file());
+            fs::remove_dir_all(dir.join("book")).unwrap();
+        }
+    }
+
     #[test]
     fn a_book_that_cannot_be_built_leaves_what_is_there() {
         let (folder, dir) = course();

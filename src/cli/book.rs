@@ -63,6 +63,8 @@ mod with_mdbook {
             what: format!("{}: {error}", root.join("book.toml").display()),
             fix: "mend it; https://rust-lang.github.io/mdBook describes its keys".into(),
         };
+        // the preprocessor runs in this folder
+        let root = &std::path::absolute(root).map_err(|error| failed(&error))?;
         let mut config = Config::from_disk(root.join("book.toml"))
             .map_err(|error| failed(&format!("{error:#}")))?;
         let target = match output {
