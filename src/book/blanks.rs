@@ -9,22 +9,25 @@ use crate::explain::render::{escaped, html, no_hint};
 /// How many results are taken out if nothing is said.
 pub(super) const USUAL: u32 = 3;
 
-/// The page with results taken out, spread over its lines, and the answers behind a line that is opened, as HTML on one line.
+/// The page with at most so many results taken out, spread over its lines, and the answers behind a line that is opened, as
+/// HTML on one line.
 ///
 /// # Errors
-/// The page has fewer results.
+/// The page has no result.
 pub(super) fn blanks(mut page: Page, count: u32) -> Result<String, String> {
     let lines = page.lines.iter().enumerate();
     let found: Vec<(usize, Range<usize>)> = lines
-        .filter(|(_, line)| matches!(line.tone, Tone::Plain | Tone::Found | Tone::Refused))
+        .filter(|(_, line)| {
+            line.steps.is_some() && !matches!(line.tone, Tone::Heading | Tone::Folded(_))
+        })
         .filter_map(|(at, line)| Some((at, result(&line.text)?)))
         .collect();
-    let count = count as usize;
-    if count == 0 || found.len() < count {
-        return Err(format!(
-            "{count} results cannot be taken out: these lines have {}\n  choose another number, or other lines by only=KIND or all",
-            found.len()
-        ));
+    let count = found.len().min(count as usize);
+    if count == 0 {
+        return Err(
+            "no line has a result that can be taken out\n  choose other lines by only=KIND or all, or another figure"
+                .into(),
+        );
     }
     let mut answers: Vec<String> = Vec::new();
     // from the middle of each of as many equal stretches; from behind, so that no place moves
@@ -151,15 +154,22 @@ fn without(text: &str, number: &str, mark: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::explain::Line;
+    use crate::explain::{Line, Section, StepAddress, StepRange};
 
     fn page(texts: &[&str]) -> Page {
+        let step = StepAddress {
+            section: Section::Pixel,
+            step: 0,
+        };
         let line = |text: &&str| Line {
             gap: false,
             indent: 0,
             tone: Tone::Plain,
             ray: None,
-            steps: None,
+            steps: Some(StepRange {
+                first: step,
+                last: step,
+            }),
             part: None,
             text: (*text).into(),
         };
@@ -208,9 +218,10 @@ mod tests {
     }
 
     #[test]
-    fn more_than_there_are_cannot_be_taken_out() {
-        let told = blanks(page(&["a = 1 + 2 = 3"]), 2).unwrap_err();
-        assert!(told.contains("these lines have 1"), "{told}");
+    fn no_more_are_taken_out_than_there_are() {
+        let shown = blanks(page(&["a = 1 + 2 = 3"]), 2).unwrap();
+        assert!(shown.contains("[1]") && !shown.contains("[2]"), "{shown}");
         blanks(page(&["a = 1 + 2 = 3"]), 0).unwrap_err();
+        blanks(page(&["no number"]), 1).unwrap_err();
     }
 }
