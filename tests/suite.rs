@@ -12,6 +12,7 @@ mod course;
 mod exact;
 mod exercises;
 mod figure_coordinates;
+mod figure_numbers;
 mod figures;
 mod grid_exact;
 mod index;

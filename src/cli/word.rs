@@ -198,6 +198,52 @@ impl Word for FigureKind {
             "connections",
             "A path of light and one from the eye, connected",
         ),
+        (
+            Self::PixelGrid,
+            "pixel-grid",
+            "The window in its own plane, with the centre of each pixel",
+        ),
+        (
+            Self::RootCases,
+            "root-cases",
+            "All spheres on the line of the ray, with their parabolas",
+        ),
+        (
+            Self::Forms,
+            "forms",
+            "The quadratic with b and with half of b",
+        ),
+        (
+            Self::PlaneCases,
+            "plane-cases",
+            "The planes of the first polygons, each with its case of (v)",
+        ),
+        (Self::Terms, "terms", "The terms of the shade as bars"),
+        (
+            Self::Sides,
+            "sides",
+            "The normals on the sides that rays come from",
+        ),
+        (
+            Self::Epsilon,
+            "epsilon",
+            "The root of a shadow ray that is its own surface, and ε",
+        ),
+        (
+            Self::Rim,
+            "rim",
+            "Balls at the rim of the picture, and their cones",
+        ),
+        (
+            Self::Algorithm,
+            "algorithm",
+            "The lines of Fig. 15.56, and what each does",
+        ),
+        (
+            Self::RayTree,
+            "ray-tree",
+            "The rays of the pixel as a tree with weights",
+        ),
     ];
 }
 

@@ -124,7 +124,8 @@ impl FigureSpec {
     pub(crate) fn shows_picture(&self) -> bool {
         let shows_pixels = self.show.is_empty() || self.show.contains(&Layer::Pixels);
         let on_window = self.kind == FigureKind::Pinhole && shows_pixels;
-        self.kind == FigureKind::Picture || self.show.contains(&Layer::Image) || on_window
+        let is_picture = matches!(self.kind, FigureKind::Picture | FigureKind::Rim);
+        is_picture || self.show.contains(&Layer::Image) || on_window
     }
 
     /// A figure of a kind of a scene, with nothing said about it.
@@ -228,6 +229,26 @@ pub enum FigureKind {
     Picture,
     /// The picture with a mistake beside the right one, and the quantity that differs.
     Mistake,
+    /// The window in its own plane: its corner, its vectors, its pixels and their centres.
+    PixelGrid,
+    /// One ray and several spheres, the parabola of each under it.
+    RootCases,
+    /// The quadratic with b and with b′ = b/2: the same roots.
+    Forms,
+    /// One ray and several planes, a panel each: ahead, behind, beside, around the ray.
+    PlaneCases,
+    /// The terms of the shade as bars over the angle between normal and light.
+    Terms,
+    /// The normal where surfaces are hit from outside and inside, from the front and the back.
+    Sides,
+    /// The root of a shadow ray that is the surface on which it starts, and ε.
+    Epsilon,
+    /// Balls at the rim of a wide picture, and the cones in which the eye sees them.
+    Rim,
+    /// The pseudocode of Fig. 15.56 beside the scene, line by line.
+    Algorithm,
+    /// The rays of a pixel beside their tree with its weights.
+    RayTree,
 }
 
 /// A part of a figure that can be shown or left out.

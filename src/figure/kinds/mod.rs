@@ -1,9 +1,12 @@
 //! The kinds of figure, one file each.
 
+mod algorithm;
 mod alignment;
 mod building;
 mod connections;
 mod costs;
+mod epsilon;
+mod forms;
 mod gather;
 mod grid;
 mod grids;
@@ -20,14 +23,21 @@ mod partition;
 mod paths;
 mod picture;
 mod pinhole;
+mod pixel_grid;
+mod plane_cases;
 mod polygon;
+mod ray_tree;
 mod rays;
+mod rim;
+mod root_cases;
 mod shading;
+mod sides;
 mod slab_terms;
 mod slabs;
 mod sphere;
 mod steps;
 mod sum;
+mod terms;
 mod transports;
 mod volumes;
 mod window;
@@ -69,5 +79,15 @@ pub(super) fn kind(name: FigureKind) -> Kind {
         FigureKind::Grids => grids::KIND,
         FigureKind::Picture => picture::KIND,
         FigureKind::Mistake => mistake::KIND,
+        FigureKind::RootCases => root_cases::KIND,
+        FigureKind::Forms => forms::KIND,
+        FigureKind::PlaneCases => plane_cases::KIND,
+        FigureKind::Terms => terms::KIND,
+        FigureKind::Sides => sides::KIND,
+        FigureKind::Epsilon => epsilon::KIND,
+        FigureKind::Rim => rim::KIND,
+        FigureKind::Algorithm => algorithm::KIND,
+        FigureKind::RayTree => ray_tree::KIND,
+        FigureKind::PixelGrid => pixel_grid::KIND,
     }
 }

@@ -283,6 +283,10 @@ fn view_plane(sheet: &mut Sheet, space: &Space, camera: &Camera) {
     line_on(sheet, space, Look::THIN.wide(1.25), &ends);
     sheet.small_dot(Look::RAY, space.place(foot));
     let towards = (camera.corner() + 0.5 * (camera.right + camera.up) - foot).normalize_or_zero();
+    // so much of the plane that the right angle has its second side
+    let side = 1.6 * sheet.letters / space.scale * towards;
+    let ends = [foot, foot + side].map(|of| space.projection.of(of));
+    line_on(sheet, space, Look::THIN.wide(1.25), &ends);
     right_angle::draw(sheet, space, foot, [camera.cop - foot, towards]);
     let [cop, at] = [camera.cop, foot].map(|of| space.place(of));
     sheet.label(space.frame, at, at - cop, "foot of the perpendicular");

@@ -4,6 +4,7 @@ use glam::DVec2;
 
 use crate::explain::Part;
 use crate::figure::error::FigureError;
+use crate::figure::parts::scenery;
 use crate::figure::parts::transport_name::transport_name;
 use crate::figure::sheet::frame::Frame;
 use crate::figure::sheet::image::Image;
@@ -11,7 +12,8 @@ use crate::figure::sheet::look::Look;
 use crate::figure::sheet::stage::StageId;
 use crate::figure::sheet::{Anchor, Sheet};
 use crate::figure::subject::Figure;
-use crate::trace::{Purpose, RayTree, RayVerdict, Record};
+use crate::scene::Scene;
+use crate::trace::{Purpose, RayNode, RayTree, RayVerdict, Record};
 
 /// The frame of a figure and that of the picture at its right.
 pub(in crate::figure) fn room_beside(sheet: &Sheet, frame: Frame) -> [Frame; 2] {
@@ -62,11 +64,11 @@ pub(in crate::figure) fn draw(
     let pixels = figure.pixels();
     let mut verdicts = Vec::new();
     for pixel in &pixels {
-        verdicts.push(verdict(figure.records_of(*pixel)?));
+        verdicts.push(verdict(figure.scene, figure.records_of(*pixel)?));
     }
     // those that cannot be told apart by one place alone have numbers
     let notes: Vec<String> = match (pixels.as_slice(), verdicts.as_slice()) {
-        ([[x, y]], [verdict]) => vec![format!("pixel ({x}, {y})"), (*verdict).into()],
+        ([[x, y]], [verdict]) => vec![format!("pixel ({x}, {y})"), verdict.clone()],
         _ => (1..)
             .zip(&verdicts)
             .map(|(number, verdict)| format!("{number}: {verdict}"))
@@ -161,8 +163,28 @@ const GAP: f64 = 1.5;
 
 /// What became of the rays of a pixel, as far as one looks at the picture: of the eye ray, and of the rays to the lights
 /// from where it hits.
-fn verdict(records: &[Record]) -> &'static str {
+fn verdict(scene: &Scene, records: &[Record]) -> String {
     let tree = RayTree::new(records);
+    if let Some(mirrored) = mirrored(scene, &tree) {
+        return mirrored;
+    }
+    of_eye_ray(&tree).into()
+}
+
+/// That the object which the eye ray hits shows another one, as a mirror does.
+fn mirrored(scene: &Scene, tree: &RayTree) -> Option<String> {
+    let eye_ray = tree.rays.first()?;
+    let mirror = eye_ray.end?.object?;
+    let is_reflected = |node: &&RayNode| {
+        let purpose = node.start.map(|start| start.purpose);
+        node.parent == Some(eye_ray.id) && purpose == Some(Purpose::Reflected)
+    };
+    let shown = tree.rays.iter().find(is_reflected)?.end?.object?;
+    let [mirror, shown] = [mirror, shown].map(|id| scenery::name_of(scene, id));
+    Some(format!("{mirror} shows {shown}"))
+}
+
+fn of_eye_ray(tree: &RayTree) -> &'static str {
     let Some(eye_ray) = tree.rays.first() else {
         return "not traced";
     };

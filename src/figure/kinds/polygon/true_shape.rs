@@ -6,11 +6,11 @@ use glam::{DVec2, DVec3};
 use crate::figure::kinds::polygon::argument::Argument;
 use crate::figure::kinds::polygon::tested::{Tested, mark, verdict};
 use crate::figure::parts::axes;
-use crate::figure::sheet::Sheet;
 use crate::figure::sheet::canvas::quantity;
 use crate::figure::sheet::frame::Frame;
 use crate::figure::sheet::look::Look;
 use crate::figure::sheet::text::{Text, formula};
+use crate::figure::sheet::{Sheet, Width};
 use crate::figure::view::Space;
 use crate::geometry::{Axis, EdgeTest};
 
@@ -109,8 +109,17 @@ pub(super) fn draw_two(
     };
     let normal = tested.plane.0.plane.normal;
     let frame = sheet.at(argument.axis, |sheet| {
-        sheet.lines(frame, &choice(tested, test.dropped))
+        let [sizes, largest] = choice(tested, test.dropped);
+        match sheet.width {
+            Width::Book => sheet.lines(frame, &[sizes, largest]),
+            // the sizes stand beside the projections
+            Width::Slide => sheet.lines(frame, &[largest]),
+        }
     });
+    let of_area = match sheet.width {
+        Width::Book => " of the area",
+        Width::Slide => "",
+    };
     let half = 0.5 * frame.size().y;
     let parts = [test.dropped, other].into_iter().zip(frame.split_top(half));
     sheet.at(argument.projection, |sheet| {
@@ -119,7 +128,10 @@ pub(super) fn draw_two(
                 let (letter, name) = (axes::letter(axis), axes::coefficient(axis));
                 let share = quantity(axis.of(normal).abs());
                 let text = formula(letter) + " dropped: " + formula(&format!("|{name}| = "));
-                let panel = sheet.lines(part, &[text + share + " of the area"]);
+                let rest = sheet.lines(part, &[text + share + of_area]);
+                let flat = Flat::of(tested, axis, test.point);
+                let distance = formula("p′") + " is " + quantity(flat.to_edge()) + " from an edge";
+                let panel = sheet.at(argument.verdict, |sheet| sheet.lines(rest, &[distance]));
                 let feet = tested.polygon.vertices().map(|v| axes::foot(axis, v));
                 (
                     axis,
@@ -136,10 +148,74 @@ pub(super) fn draw_two(
             sheet.polygon(Look::OBJECT, tested.polygon.vertices().map(place).collect());
             let p = place(test.point);
             sheet.small_dot(Look::RAY, p);
-            sheet.label(panel, p, DVec2::X, formula("p′"));
-            sheet.at(argument.verdict, |sheet| mark(sheet, test.inside, p));
+            sheet.label(panel, p, DVec2::NEG_X, formula("p′"));
+            let flat = Flat::of(tested, axis, test.point);
+            let crossings = flat.crossings().into_iter().map(|at| space.place_flat(at));
+            let crossings: Vec<DVec2> = crossings.collect();
+            let beyond = DVec2::new(2.0 * sheet.letters, 0.0);
+            sheet.at(argument.verdict, |sheet| {
+                if let Some(last) = crossings.last() {
+                    sheet.arrow(Look::RAY.wide(1.25), p, *last + beyond);
+                }
+                for (number, at) in crossings.iter().enumerate() {
+                    sheet.dot(Look::VISITED, *at);
+                    let towards = DVec2::new(1.0, 1.0);
+                    sheet.label(panel, *at, towards, (number + 1).to_string());
+                }
+                mark(sheet, test.inside, p);
+            });
         }
     });
+}
+
+/// The projection along any axis: the polygon and p′, to the right and upwards.
+struct Flat {
+    outline: Vec<DVec2>,
+    p: DVec2,
+}
+
+impl Flat {
+    fn of(tested: &Tested, axis: Axis, point: DVec3) -> Self {
+        let view = axes::view_along(axis);
+        let flat = |point| view.of(axes::foot(axis, point));
+        Self {
+            outline: tested.polygon.vertices().map(flat).collect(),
+            p: flat(point),
+        }
+    }
+
+    fn edges(&self) -> impl Iterator<Item = [DVec2; 2]> {
+        let next = self.outline.iter().cycle().skip(1);
+        self.outline.iter().zip(next).map(|(a, b)| [*a, *b])
+    }
+
+    /// Where the half-line from p′ to the right crosses edges, from the nearest on.
+    fn crossings(&self) -> Vec<DVec2> {
+        let crossed = self.edges().filter_map(|[a, b]| {
+            let share = (self.p.y - a.y) / (b.y - a.y);
+            let is_crossed = (a.y <= self.p.y) != (b.y <= self.p.y);
+            let at = is_crossed.then(|| a + share * (b - a))?;
+            (self.p.x < at.x).then_some(at)
+        });
+        let mut crossed: Vec<DVec2> = crossed.collect();
+        crossed.sort_by(|a, b| a.x.total_cmp(&b.x));
+        crossed
+    }
+
+    /// How far p′ is from the nearest edge.
+    fn to_edge(&self) -> f64 {
+        let distance = |[a, b]: [DVec2; 2]| {
+            let along = b - a;
+            let share = (self.p - a).dot(along) / along.length_squared();
+            let share = if share.is_finite() {
+                share.clamp(0.0, 1.0)
+            } else {
+                0.0
+            };
+            self.p.distance(a + share * along)
+        };
+        self.edges().map(distance).fold(f64::INFINITY, f64::min)
+    }
 }
 
 #[cfg(test)]
@@ -161,5 +237,20 @@ mod tests {
             ..edge
         };
         assert_eq!(level_with(&level, DVec2::ZERO), None);
+    }
+
+    #[test]
+    fn the_half_line_crosses_the_right_edge_and_the_nearest_edge_is_below() {
+        // a triangle of 4 × 3: p is 1 above its base, and the slanted edge x/4 + y/3 = 1 is at x = 8/3 there
+        let flat = Flat {
+            outline: [[0.0, 0.0], [4.0, 0.0], [0.0, 3.0]].map(DVec2::from).into(),
+            p: DVec2::new(1.2, 1.0),
+        };
+        let [at] = flat.crossings()[..] else {
+            panic!("{:?}", flat.crossings());
+        };
+        assert!(at.distance(DVec2::new(8.0 / 3.0, 1.0)) < 1e-12, "{at}");
+        // 1.2 from the left, and (12 − 3.6 − 4)/5 = 0.88 from the slanted edge
+        assert!((flat.to_edge() - 0.88).abs() < 1e-12);
     }
 }
