@@ -118,6 +118,11 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
             "name pixels that show an object",
         ));
     }
+    let hits = match all.len() {
+        1 => "A ray hits a surface.".into(),
+        count => format!("Rays hit surfaces at {count} points."),
+    };
+    let rays = sheet.stage(Part::Ray, None, hits);
     let stages: Vec<StageId> = all
         .iter()
         .map(|met| sheet.stage(Part::Normal, None, met.sentence()))
@@ -137,7 +142,8 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
     let mut rest = right;
     let rows = all.iter().zip(&stages);
     for (place, (met, stage)) in rows.enumerate() {
-        sheet.at(*stage, |sheet| one(sheet, &space, met, place + 1));
+        sheet.at(rays, |sheet| ray(sheet, &space, met));
+        sheet.at(*stage, |sheet| normals(sheet, &space, met, place + 1));
         let row = met.row(place + 1, sheet.width);
         rest = sheet.at(*stage, |sheet| sheet.lines(rest, &[row]));
     }
@@ -173,25 +179,30 @@ fn met_in(figure: &Figure, pixel: [u32; 2]) -> Result<Vec<Met>, FigureError> {
     Ok(met.collect())
 }
 
-/// The ray up to its hit, the number there, and the normals.
-fn one(sheet: &mut Sheet, space: &Space, met: &Met, number: usize) {
-    /// How long a normal is, in letters.
-    const LENGTH: f64 = 3.0;
+/// The ray up to its hit.
+fn ray(sheet: &mut Sheet, space: &Space, met: &Met) {
     let (from, at) = (space.place(met.ray.origin), space.place(met.shade.point));
     let look = match met.purpose {
         Purpose::Refracted => Look::REFRACTED_RAY,
         Purpose::Reflected => Look::REFLECTED_RAY,
         _ => Look::RAY,
     };
-    let length = LENGTH * sheet.letters;
     sheet.arrow(look, from, from.lerp(at, 0.6));
     sheet.line(look, from.lerp(at, 0.6), at);
+    sheet.dot(Look::RAY, at);
+}
+
+/// The number of a hit, and the normals there.
+fn normals(sheet: &mut Sheet, space: &Space, met: &Met, number: usize) {
+    /// How long a normal is, in letters.
+    const LENGTH: f64 = 3.0;
+    let (from, at) = (space.place(met.ray.origin), space.place(met.shade.point));
+    let length = LENGTH * sheet.letters;
     let [normal, own] = [met.shade.normal, met.own()].map(|of| space.direction(of));
     if met.shade.back {
         sheet.arrow(Look::REJECTED.outline().wide(1.25), at, at + length * own);
     }
     sheet.arrow(Look::ANSWER.outline(), at, at + length * normal);
-    sheet.dot(Look::RAY, at);
     sheet.label(space.frame, at + length * normal, normal, formula("N"));
     // off the ray, on the side where nothing is drawn
     let along = (at - from).normalize_or_zero();
