@@ -8,7 +8,7 @@ use serde_json::Value;
 use crate::layers::sources;
 
 /// Rows of subjects that have no figure yet.
-const WITHOUT_FIGURE: usize = 2;
+const WITHOUT_FIGURE: usize = 0;
 
 /// A row: where the slides have the subject, and where the project has it.
 struct Row {

@@ -241,6 +241,22 @@ impl Parts for AtWork {
         wrong
     }
 
+    fn leaves_from(&self, surface: &Surface<'_>) -> (DVec3, f64) {
+        let right = Own.leaves_from(surface);
+        let Some(Wrong::LeavesFrom(wrong)) = self.wrong else {
+            return right;
+        };
+        let wrong = wrong(surface);
+        let both = [&right, &wrong];
+        self.note(|| {
+            vec![
+                pair("start of the ray", both, |(start, _)| *start),
+                pair("ε", both, |(_, epsilon)| *epsilon),
+            ]
+        });
+        wrong
+    }
+
     fn blocked(&self, scene: &Scene, ray: &Ray, range: TRange) -> bool {
         if let Some(hit) = self.searched(scene, ray, range) {
             return hit.is_some();
