@@ -55,6 +55,7 @@ fn a_new_course_uses_each_directive_and_builds_at_once() {
             ".gitignore",
             "book.toml",
             "lessons",
+            "links.css",
             "map.json",
             "src"
         ]

@@ -6,7 +6,7 @@ use crate::cli::output::Output;
 use crate::cli::output_folder::OutputFolder;
 
 /// All files of a new course. The chapter uses each directive once.
-const FILES: [(&str, &str); 9] = [
+const FILES: [(&str, &str); 10] = [
     (
         ".github/workflows/pages.yml",
         include_str!("init/pages.yml"),
@@ -22,6 +22,7 @@ const FILES: [(&str, &str); 9] = [
         "lessons/01-ball/scene.json",
         include_str!("init/scene.json"),
     ),
+    ("links.css", include_str!("init/links.css")),
     ("map.json", include_str!("init/map.json")),
     ("src/SUMMARY.md", include_str!("init/SUMMARY.md")),
     ("src/ball.md", include_str!("init/ball.md")),
