@@ -9,28 +9,35 @@ mod routes;
 
 use std::collections::BTreeSet;
 use std::path::Path;
+use std::sync::OnceLock;
 
 use raystep::lesson::question::{Asked, Form, Given};
 use raystep::{Library, open_lessons};
 
 /// The lessons of the course, without the gallery of mistakes, which is no lesson and asks nothing.
-pub(crate) fn lessons() -> Library {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("lessons");
-    let mut library = open_lessons(&folder).unwrap();
-    library.lessons.retain(|of| of.name != "gallery");
-    library
+pub(crate) fn lessons() -> &'static Library {
+    static LESSONS: OnceLock<Library> = OnceLock::new();
+    LESSONS.get_or_init(|| {
+        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("lessons");
+        let mut library = open_lessons(&folder).unwrap();
+        library.lessons.retain(|of| of.name != "gallery");
+        library
+    })
 }
 
-/// Every question of the course.
-pub(crate) fn all(library: &Library) -> Vec<Asked> {
-    let mut asked = Vec::new();
-    for lesson in &library.lessons {
-        for question in &lesson.content.questions {
-            let of = library.ask(&lesson.name, &question.name);
-            asked.push(of.unwrap_or_else(|error| panic!("{error}")));
+/// Every question of the course, asked once for all tests.
+pub(crate) fn all() -> &'static [Asked] {
+    static ALL: OnceLock<Vec<Asked>> = OnceLock::new();
+    ALL.get_or_init(|| {
+        let mut asked = Vec::new();
+        for lesson in &lessons().lessons {
+            for question in &lesson.content.questions {
+                let of = lessons().ask(&lesson.name, &question.name);
+                asked.push(of.unwrap_or_else(|error| panic!("{error}")));
+            }
         }
-    }
-    asked
+        asked
+    })
 }
 
 #[track_caller]
@@ -48,7 +55,7 @@ fn is_wrong(asked: &Asked, given: &Given) {
 
 #[test]
 fn each_question_takes_its_right_answer_and_refuses_each_wrong_one_with_its_reason() {
-    for asked in all(&lessons()) {
+    for asked in all() {
         let name = format!("{}/{}", asked.lesson, asked.name);
         let right = asked.right();
         assert!(asked.answer(&right).right, "{name}: {right:?}");
@@ -74,16 +81,16 @@ fn each_question_takes_its_right_answer_and_refuses_each_wrong_one_with_its_reas
         }
         match &asked.form {
             Form::Number(of) => {
-                is_wrong(&asked, &Given::Number(of.answer + 1.5 * of.tolerance));
+                is_wrong(asked, &Given::Number(of.answer + 1.5 * of.tolerance));
                 for (value, choice) in &of.wrong {
-                    is_wrong(&asked, &Given::Number(*value));
+                    is_wrong(asked, &Given::Number(*value));
                     assert_eq!(asked.answer(&Given::Number(*value)).reason, choice.reason);
                 }
             }
             Form::Choice(_) | Form::Place(_) => {
                 assert_eq!(choices.iter().filter(|of| of.right).count(), 1, "{name}");
                 for (place, choice) in choices.iter().enumerate().filter(|(_, of)| !of.right) {
-                    is_wrong(&asked, &Given::Choice(place));
+                    is_wrong(asked, &Given::Choice(place));
                     assert_eq!(asked.answer(&Given::Choice(place)).reason, choice.reason);
                 }
             }
@@ -97,25 +104,25 @@ fn each_question_takes_its_right_answer_and_refuses_each_wrong_one_with_its_reas
                     if !other.remove(&place) {
                         other.insert(place);
                     }
-                    is_wrong(&asked, &Given::Several(other));
+                    is_wrong(asked, &Given::Several(other));
                 }
             }
             Form::Order(of) => {
                 let mut turned = of.order.clone();
                 turned.reverse();
-                is_wrong(&asked, &Given::Order(turned));
-                is_wrong(&asked, &Given::Order(of.order[1..].to_vec()));
+                is_wrong(asked, &Given::Order(turned));
+                is_wrong(asked, &Given::Order(of.order[1..].to_vec()));
                 for place in (0..choices.len()).filter(|place| !choices[*place].right) {
                     let mut more = of.order.clone();
                     more.push(place);
-                    is_wrong(&asked, &Given::Order(more));
+                    is_wrong(asked, &Given::Order(more));
                 }
             }
             Form::Blank(of) => {
                 for place in 0..of.answers.len() {
                     let mut numbers: Vec<f64> = of.answers.iter().map(|of| of.0).collect();
                     numbers[place] += 1.5 * of.answers[place].1 + 0.01;
-                    is_wrong(&asked, &Given::Blanks(numbers));
+                    is_wrong(asked, &Given::Blanks(numbers));
                     assert!(
                         of.lines
                             .iter()

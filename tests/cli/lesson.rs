@@ -69,6 +69,10 @@ fn the_list_says_what_the_last_check_said() {
         list.contains("\n1 of 42 right when they were last checked\n"),
         "{list}"
     );
+    assert!(
+        list.ends_with(" questions in 12 lessons: raystep lesson quiz 01\n"),
+        "{list}"
+    );
 }
 
 #[test]
@@ -104,6 +108,7 @@ fn a_lesson_shows_its_functions() {
         shown.starts_with("Lesson 4: write in lessons/04-sphere/exercise.rs\n"),
         "{shown}"
     );
+    assert!(shown.contains("\n10 questions: raystep lesson quiz 04\n"));
     assert!(shown.contains("pub fn roots(a: f64, b: f64, c: f64) -> Vec<f64>"));
     assert!(shown.contains("cargo test -p lessons l04_roots"));
     let message = folder.run("lesson check 04 roots").refused();

@@ -26,8 +26,8 @@ fn asks_why_or_which(question: &QuestionSpec) -> bool {
 #[test]
 fn each_lesson_has_eight_questions_and_half_of_them_ask_why_or_which() {
     let library = lessons();
-    assert_eq!(numbered(&library).len(), 12);
-    for lesson in numbered(&library) {
+    assert_eq!(numbered(library).len(), 12);
+    for lesson in numbered(library) {
         let questions = &lesson.content.questions;
         let why = questions.iter().filter(|of| asks_why_or_which(of)).count();
         assert!(8 <= questions.len(), "{}: {}", lesson.name, questions.len());
@@ -43,7 +43,7 @@ fn each_lesson_has_eight_questions_and_half_of_them_ask_why_or_which() {
 #[test]
 fn from_lesson_03_on_one_question_is_from_two_lessons_before() {
     let library = lessons();
-    let lessons = numbered(&library);
+    let lessons = numbered(library);
     for place in 2..lessons.len() {
         let (lesson, before) = (lessons[place], lessons[place - 2]);
         let mut questions = lesson.content.questions.iter();

@@ -13,7 +13,7 @@ const SCENE: &str = r#"{
   "objects": [ { "name": "ball", "material": "red", "shape": { "sphere": { "center": [0, 0, 0], "radius": 2 } } } ]
 }"#;
 
-fn question(ask: Value) -> Value {
+fn question(ask: &Value) -> Value {
     json!({
         "name": "roots", "scene": "ball.json", "pixel": [0, 0],
         "at": { "kind": "sphere_test", "ray": 0 },
@@ -22,12 +22,12 @@ fn question(ask: Value) -> Value {
     })
 }
 
-fn number(wrong: Value) -> Value {
-    question(json!({ "number": { "answer": "t", "reason": "It is {t}.", "wrong": wrong } }))
+fn number(wrong: &Value) -> Value {
+    question(&json!({ "number": { "answer": "t", "reason": "It is {t}.", "wrong": wrong } }))
 }
 
-fn choices(choices: Value) -> Value {
-    question(json!({ "choice": { "choices": choices } }))
+fn choices(choices: &Value) -> Value {
+    question(&json!({ "choice": { "choices": choices } }))
 }
 
 /// What a question is refused with: the message, from its first line.
@@ -57,11 +57,11 @@ fn line_of(question: &Value, text: &str) -> usize {
 }
 
 #[track_caller]
-fn check(question: Value, at: &str, message: &str) {
-    let refused = refusal(&question);
+fn check(question: &Value, at: &str, message: &str) {
+    let refused = refusal(question);
     assert!(refused.contains(message), "{refused}");
     // of a list or an object it is the line of its first part
-    let line = line_of(&question, at);
+    let line = line_of(question, at);
     let is_there = |line: usize| refused.contains(&format!("01-ball/lesson.json, line {line},"));
     assert!((line - 1..=line + 1).any(is_there), "{line}: {refused}");
     // and what to do
@@ -70,29 +70,29 @@ fn check(question: Value, at: &str, message: &str) {
 
 #[test]
 fn a_selector_that_finds_no_step_or_several_is_refused() {
-    let mut none = number(json!([]));
+    let mut none = number(&json!([]));
     none["at"]["ray"] = json!(7);
-    check(none, "\"at\"", "no sphere_test is there");
-    let mut several = number(json!([]));
+    check(&none, "\"at\"", "no sphere_test is there");
+    let mut several = number(&json!([]));
     several["at"] = json!({ "kind": "sphere_test" });
     check(
-        several,
+        &several,
         "\"at\"",
         "2 of kind sphere_test are there, and one is asked for",
     );
-    let mut other = number(json!([]));
+    let mut other = number(&json!([]));
     other["with"] = json!({ "other": { "kind": "ray", "nth": 5 } });
-    check(other, "\"other\"", "there is no ray number 5: 2 are there");
-    let mut kind = number(json!([]));
+    check(&other, "\"other\"", "there is no ray number 5: 2 are there");
+    let mut kind = number(&json!([]));
     kind["at"]["kind"] = json!("sphere_tests");
-    check(kind, "\"at\"", "did you mean sphere_test?");
+    check(&kind, "\"at\"", "did you mean sphere_test?");
 }
 
 #[test]
 fn a_distractor_that_equals_the_answer_or_another_is_refused() {
     let like = json!([{ "value": "near", "reason": "This is the smaller root." }]);
     check(
-        number(like),
+        &number(&like),
         "\"value\"",
         "the wrong number 8 is the answer",
     );
@@ -101,14 +101,14 @@ fn a_distractor_that_equals_the_answer_or_another_is_refused() {
         { "mistake": "largest root" },
     ]);
     check(
-        number(twice),
+        &number(&twice),
         "\"mistake\"",
         "the wrong number 12 is wrong number 0",
     );
     // from outside the first root is the right one
     let mistake = json!([{ "mistake": "first root always" }]);
     check(
-        number(mistake),
+        &number(&mistake),
         "\"mistake\"",
         "the wrong number 8 is the answer",
     );
@@ -117,7 +117,7 @@ fn a_distractor_that_equals_the_answer_or_another_is_refused() {
         { "text": "t = 8", "when": "t = far", "reason": "It is the larger root." },
     ]);
     check(
-        choices(alike),
+        &choices(&alike),
         "t = 8",
         "choice 1 is like choice 0: \"t = 8\"",
     );
@@ -130,13 +130,13 @@ fn a_choice_without_a_reason_is_refused() {
         { "text": "t = {far}", "when": "t = far", "reason": " " },
     ]);
     check(
-        choices(empty),
+        &choices(&empty),
         "\"reason\": \" \"",
         "the choice has no reason",
     );
     let wrong = json!([{ "value": "far" }]);
-    check(number(wrong), "\"value\"", "the choice has no reason");
-    let mut missing = choices(json!([{ "text": "t = {near}", "when": "t = near" }]));
+    check(&number(&wrong), "\"value\"", "the choice has no reason");
+    let mut missing = choices(&json!([{ "text": "t = {near}", "when": "t = near" }]));
     let refused = refusal(&missing);
     assert!(refused.contains("missing key `reason`"), "{refused}");
     missing["ask"]["choice"]["choices"][0]["reason"] = json!("It is right.");
@@ -149,45 +149,53 @@ fn a_question_of_which_no_choice_or_two_are_right_is_refused() {
         { "text": "near", "when": "t = near", "reason": "It is." },
         { "text": "ahead", "when": "0 < t", "reason": "It is." },
     ]);
-    check(choices(two), "\"choice\"", "2 choices are right");
+    check(&choices(&two), "\"choice\"", "2 choices are right");
     let none = json!([
         { "text": "far", "when": "t = far", "reason": "It is not." },
         { "text": "behind", "when": "t < 0", "reason": "It is not." },
     ]);
-    check(choices(none), "\"choice\"", "no choice is right");
+    check(&choices(&none), "\"choice\"", "no choice is right");
 }
 
 #[test]
 fn what_is_not_there_is_said_with_what_is_like_it() {
-    let mut text = number(json!([]));
+    let mut text = number(&json!([]));
     text["text"] = json!("It is {discriminants}.");
-    check(text, "\"text\"", "did you mean discriminant?");
-    let mut route = number(json!([]));
+    check(&text, "\"text\"", "did you mean discriminant?");
+    let mut route = number(&json!([]));
     route["ask"]["number"]["confirm"] = json!("far");
-    check(route, "\"confirm\"", "\"far\" is 12, and the answer is 8");
+    check(&route, "\"confirm\"", "\"far\" is 12, and the answer is 8");
     let mistake = json!([{ "mistake": "largest roots" }]);
     check(
-        number(mistake),
+        &number(&mistake),
         "\"mistake\"",
         "there is no mistake \"largest roots\"",
     );
     let mistake = json!([{ "mistake": "plus 2" }]);
-    check(number(mistake), "\"mistake\"", "has no part in this step");
-    let mut pixel = number(json!([]));
+    check(&number(&mistake), "\"mistake\"", "has no part in this step");
+    let mut pixel = number(&json!([]));
     pixel["pixel"] = json!([3, 0]);
-    check(pixel, "\"pixel\"", "pixel 3,0 is not in the picture");
-    let mut change = number(json!([]));
+    check(&pixel, "\"pixel\"", "pixel 3,0 is not in the picture");
+    let mut change = number(&json!([]));
     change["change"] = json!({ "/objects/5/name": "B" });
-    check(change, "\"change\"", "the scene has no \"/objects/5/name\"");
-    let mut name = number(json!([]));
+    check(
+        &change,
+        "\"change\"",
+        "the scene has no \"/objects/5/name\"",
+    );
+    let mut name = number(&json!([]));
     name["name"] = json!("Two words");
-    check(name, "\"name\"", "is not a name for a question");
+    check(&name, "\"name\"", "is not a name for a question");
     let blank =
         question(json!({ "blank": { "take": ["t"], "lines": ["b = {b}"], "reason": "It is." } }));
-    check(blank, "\"take\"", "which is in none of the lines");
-    let mut figure = number(json!([]));
+    check(&blank, "\"take\"", "which is in none of the lines");
+    let mut figure = number(&json!([]));
     figure["figure"] = json!("01-ball/roots");
-    check(figure, "\"figure\"", "there is no figure \"01-ball/roots\"");
-    let reason = question(json!({ "reason": {} }));
-    check(reason, "\"at\"", "nothing was rejected in it");
+    check(
+        &figure,
+        "\"figure\"",
+        "there is no figure \"01-ball/roots\"",
+    );
+    let reason = question(&json!({ "reason": {} }));
+    check(&reason, "\"at\"", "nothing was rejected in it");
 }

@@ -37,7 +37,7 @@ fn on_sphere(ray: &Ray, scene: &Scene, object: PrimitiveId) -> Option<[f64; 2]> 
 #[test]
 fn roots_of_spheres_are_where_half_chords_end() {
     let mut checked = 0;
-    for asked in all(&lessons()) {
+    for asked in all() {
         let records = &asked.traced.records;
         for record in records.iter() {
             let Event::SphereTest { object, test } = &record.event else {
@@ -70,7 +70,7 @@ fn roots_of_spheres_are_where_half_chords_end() {
 #[test]
 fn every_hit_is_that_of_a_search_through_all_objects() {
     let mut checked = 0;
-    for asked in all(&lessons()) {
+    for asked in all() {
         let (records, scene) = (&asked.traced.records, &asked.traced.scene);
         for record in records.iter() {
             let Event::RayEnd(end) = &record.event else {
@@ -101,13 +101,9 @@ fn every_hit_is_that_of_a_search_through_all_objects() {
 }
 
 /// The spec of a question.
-fn spec(asked: &Asked) -> QuestionSpec {
+fn spec(asked: &Asked) -> &'static QuestionSpec {
     let library = lessons();
-    library
-        .question(&asked.lesson, &asked.name)
-        .unwrap()
-        .1
-        .clone()
+    library.question(&asked.lesson, &asked.name).unwrap().1
 }
 
 #[test]
@@ -115,7 +111,7 @@ fn cells_in_order_are_those_of_points_along_the_ray() {
     /// So many points lie on each unit of the ray.
     const POINTS: f64 = 4096.0;
     let mut checked = 0;
-    for asked in all(&lessons()) {
+    for asked in all() {
         let Form::Order(order) = &asked.form else {
             continue;
         };
@@ -124,7 +120,7 @@ fn cells_in_order_are_those_of_points_along_the_ray() {
             Event::GridEnter(grid) => Some((grid, start_of(records, record)?)),
             _ => None,
         });
-        let (Some((grid, start)), Ask::Order(_)) = (entered, spec(&asked).ask) else {
+        let (Some((grid, start)), Ask::Order(_)) = (entered, &spec(asked).ask) else {
             continue;
         };
         let (min, max) = (grid.around.min, grid.around.max);
@@ -156,12 +152,12 @@ fn cells_in_order_are_those_of_points_along_the_ray() {
 #[test]
 fn whether_a_light_is_blocked_is_asked_of_every_object_alone() {
     let mut checked = 0;
-    for asked in all(&lessons()) {
+    for asked in all() {
         let Form::Choice(choices) = &asked.form else {
             continue;
         };
         let event = &asked.traced.records[asked.place.event].event;
-        let (Ask::Step(_), Event::Ray(start)) = (spec(&asked).ask, event) else {
+        let (Ask::Step(_), Event::Ray(start)) = (&spec(asked).ask, event) else {
             continue;
         };
         assert_eq!(start.purpose, Purpose::Shadow);
@@ -218,7 +214,7 @@ fn winding(outline: &[glam::DVec2], point: glam::DVec2) -> f64 {
 #[test]
 fn points_are_inside_a_polygon_if_its_outline_runs_around_them() {
     let mut checked = 0;
-    for asked in all(&lessons()) {
+    for asked in all() {
         let scene = &asked.traced.scene;
         for record in asked.traced.records.iter() {
             let Event::PolygonTest { object, test } = &record.event else {
@@ -238,7 +234,7 @@ fn points_are_inside_a_polygon_if_its_outline_runs_around_them() {
 #[test]
 fn refracted_rays_have_the_angle_of_snells_law() {
     let mut checked = 0;
-    for asked in all(&lessons()) {
+    for asked in all() {
         for record in asked.traced.records.iter() {
             let Event::Refraction(found) = &record.event else {
                 continue;

@@ -94,8 +94,8 @@ pub(super) fn spoiled(mistake: &Mistake, traced: &TracedPixel, place: usize) -> 
     }
 }
 
-fn vector(of: DVec3) -> Option<Value> {
-    Some(json!(of.to_array()))
+fn vector(of: DVec3) -> Value {
+    json!(of.to_array())
 }
 
 impl At<'_> {
@@ -104,9 +104,9 @@ impl At<'_> {
     }
 
     /// The fields of another event in this one's place.
-    fn whole(&self, event: Event) -> Option<EventFacts> {
+    fn whole(&self, event: Event) -> EventFacts {
         let names = self.traced.names();
-        Some(facts_of_event(event, self.record, &names))
+        facts_of_event(event, self.record, &names)
     }
 
     /// The fields of this event, but for some.
@@ -128,7 +128,7 @@ impl At<'_> {
             (Wrong::SphereTest(test), Shape::Sphere(sphere)) => {
                 let (ray, range) = self.on()?;
                 let test = test(sphere, &ray, range, primitive.sides);
-                self.whole(Event::SphereTest { object, test })
+                Some(self.whole(Event::SphereTest { object, test }))
             }
             (Wrong::Root(_), Shape::Sphere(_)) | (Wrong::Hit(_), _) => self.root(wrong, object),
             _ => None,
@@ -166,7 +166,7 @@ impl At<'_> {
             Wrong::DroppedAxis(axis) => {
                 let dropped = axis(polygon.plane().normal);
                 let test = PolygonTest { dropped, ..*test };
-                self.whole(Event::PolygonTest { object, test })
+                Some(self.whole(Event::PolygonTest { object, test }))
             }
             _ => None,
         }
@@ -178,7 +178,7 @@ impl At<'_> {
         };
         let camera = &self.scene().camera;
         let point = camera.cop + to_window(camera, sample.place.x, sample.place.y);
-        self.with(&[("point", vector(point))])
+        self.with(&[("point", Some(vector(point)))])
     }
 
     fn start(&self, wrong: &Wrong, start: &RayStart) -> Option<EventFacts> {
@@ -187,7 +187,7 @@ impl At<'_> {
                 let (_, before) = self.start_of(self.record.parent)?;
                 let normal = self.of_ray(self.record.parent).1?.normal;
                 let direction = reflect(before.ray.direction, normal);
-                self.with(&[("direction", vector(direction))])
+                self.with(&[("direction", Some(vector(direction)))])
             }
             (Wrong::Normalised(normalised), Purpose::Eye) => {
                 let records = self.traced.records.iter();
@@ -243,7 +243,7 @@ impl At<'_> {
         let scene = self.scene();
         let found = normals(&scene.primitive(shade.object).shape, shade.point);
         let surface = Surface::new(scene, &start.ray, start.depth, hit, found);
-        self.with(&[("normal", vector(surface.normal))])
+        self.with(&[("normal", Some(vector(surface.normal)))])
     }
 
     fn light(&self, wrong: &Wrong, right: &LightTerm) -> Option<EventFacts> {
@@ -259,7 +259,7 @@ impl At<'_> {
             shade.normal,
             -self.ray()?.ray.direction,
         );
-        self.whole(Event::LightTerm(LightTerm { term, ..*right }))
+        Some(self.whole(Event::LightTerm(LightTerm { term, ..*right })))
     }
 
     fn refraction(&self, wrong: &Wrong, right: &Refraction) -> Option<EventFacts> {
@@ -269,7 +269,7 @@ impl At<'_> {
         let normal = self.of_ray(self.record.ray).1?.normal;
         let direction = self.ray()?.ray.direction;
         let found = refract(direction, normal, right.index_from, right.index_to);
-        self.whole(Event::Refraction(found))
+        Some(self.whole(Event::Refraction(found)))
     }
 
     fn colour(&self, wrong: &Wrong) -> Option<EventFacts> {
@@ -278,7 +278,7 @@ impl At<'_> {
         }
         let raw = simple::pixel(self.scene(), wrong, self.traced.pixel);
         let clamped = raw.clamp(DVec3::ZERO, DVec3::ONE);
-        self.whole(Event::PixelColour(PixelColour { raw, clamped }))
+        Some(self.whole(Event::PixelColour(PixelColour { raw, clamped })))
     }
 
     fn bound(&self, wrong: &Wrong, test: &BoundTest) -> Option<EventFacts> {
@@ -286,7 +286,7 @@ impl At<'_> {
             return None;
         };
         let verdict = bound(test.inside, self.on()?.1);
-        self.whole(Event::BoundTest(BoundTest { verdict, ..*test }))
+        Some(self.whole(Event::BoundTest(BoundTest { verdict, ..*test })))
     }
 
     fn cell(&self, wrong: &Wrong, visit: &CellVisit) -> Option<EventFacts> {
@@ -295,6 +295,6 @@ impl At<'_> {
         };
         let mut visit = *visit;
         visit.step.across = crossed(visit.step.next);
-        self.whole(Event::Cell(visit))
+        Some(self.whole(Event::Cell(visit)))
     }
 }

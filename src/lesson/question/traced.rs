@@ -32,9 +32,6 @@ pub struct TracedPixel {
     pub(super) file: Value,
 }
 
-/// A pixel with its events.
-pub(super) type OfPixel = ([u32; 2], Vec<Record>);
-
 /// How a question is traced.
 pub(super) fn settings_of(spec: &QuestionSpec) -> Settings {
     Settings {
@@ -55,24 +52,31 @@ impl TracedPixel {
         let file =
             file.map_err(|error| Fault::new("scene", error.to_string(), "change the scene"))?;
         let scene = loaded.build().map_err(Fault::load)?;
-        let mut pixels = traced(&scene, spec, &[spec.pixel])?;
+        let mut found = Vec::new();
+        traced(&scene, spec, &[spec.pixel], &mut |_, records| {
+            found = records;
+            Ok(())
+        })?;
         Ok(Self {
             scene: Arc::new(scene),
             settings: settings_of(spec),
             pixel: spec.pixel,
-            records: pixels.remove(0).into(),
+            records: found.into(),
             file,
         })
     }
 
-    /// Every pixel of the picture, traced the same way, in rows from the top.
-    pub(super) fn all_pixels(&self, spec: &QuestionSpec) -> Result<Vec<OfPixel>, Fault> {
+    /// Every pixel of the picture, traced the same way one after the other, in rows from the top.
+    pub(super) fn each_pixel(
+        &self,
+        spec: &QuestionSpec,
+        mut hear: impl FnMut([u32; 2], Vec<Record>) -> Result<(), Fault>,
+    ) -> Result<(), Fault> {
         let [width, height] = self.scene.camera.pixels;
         let all: Vec<[u32; 2]> = (0..height)
             .flat_map(|y| (0..width).map(move |x| [x, y]))
             .collect();
-        let records = traced(&self.scene, spec, &all)?;
-        Ok(all.into_iter().zip(records).collect())
+        traced(&self.scene, spec, &all, &mut hear)
     }
 
     pub(super) fn names(&self) -> LogNames {
@@ -85,12 +89,13 @@ impl TracedPixel {
     }
 }
 
-/// The events of some pixels.
+/// Traces some pixels and hands out their events.
 fn traced(
     scene: &Scene,
     spec: &QuestionSpec,
     pixels: &[[u32; 2]],
-) -> Result<Vec<Vec<Record>>, Fault> {
+    hear: &mut dyn FnMut([u32; 2], Vec<Record>) -> Result<(), Fault>,
+) -> Result<(), Fault> {
     let settings = settings_of(spec);
     let [width, height] = scene.camera.pixels;
     if let Some([x, y]) = pixels.iter().find(|[x, y]| width <= *x || height <= *y) {
@@ -115,10 +120,11 @@ fn traced(
     let light = follow_light(scene, &chosen, &settings, region, None, &|_| {}).map_err(stopped)?;
     let tracer: ChosenTracer<'_, '_> =
         Tracer::new(scene, &chosen, settings.transport).with_light(light.as_ref());
-    let of_pixel = |pixel: &[u32; 2]| {
-        record_pixel(&tracer, *pixel, settings.through, true, MOST_EVENTS).map_err(stopped)
-    };
-    pixels.iter().map(of_pixel).collect()
+    for &pixel in pixels {
+        let records = record_pixel(&tracer, pixel, settings.through, true, MOST_EVENTS);
+        hear(pixel, records.map_err(stopped)?)?;
+    }
+    Ok(())
 }
 
 /// The fields of an event as the log has them.

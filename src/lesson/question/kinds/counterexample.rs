@@ -28,13 +28,16 @@ pub(in crate::lesson::question) fn counterexample(
         ));
     }
     let (mut shows, mut does_not) = (Vec::new(), Vec::new());
-    for (pixel, records) in situation.traced.all_pixels(situation.spec)? {
-        let found = witness(situation, of, &records);
-        match found.map_err(|what| Fault::text(key, what))? {
-            Some(facts) => shows.push((pixel, facts)),
-            None => does_not.push(pixel),
-        }
-    }
+    situation
+        .traced
+        .each_pixel(situation.spec, |pixel, records| {
+            let found = witness(situation, of, &records);
+            match found.map_err(|what| Fault::text(key, what))? {
+                Some(facts) => shows.push((pixel, facts)),
+                None => does_not.push(pixel),
+            }
+            Ok(())
+        })?;
     // pixels that stand far apart, the same ones everywhere
     let spread = |count: usize, wanted: usize| {
         (1..=wanted.min(count)).map(move |place| place * count / (wanted + 1))
