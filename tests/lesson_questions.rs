@@ -6,6 +6,8 @@ mod counts;
 mod refused;
 #[path = "lesson_questions/routes.rs"]
 mod routes;
+#[path = "lesson_questions/varied.rs"]
+mod varied;
 
 use std::collections::BTreeSet;
 use std::path::Path;

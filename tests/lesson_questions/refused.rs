@@ -187,7 +187,7 @@ fn what_is_not_there_is_said_with_what_is_like_it() {
     name["name"] = json!("Two words");
     check(&name, "\"name\"", "is not a name for a question");
     let blank =
-        question(json!({ "blank": { "take": ["t"], "lines": ["b = {b}"], "reason": "It is." } }));
+        question(&json!({ "blank": { "take": ["t"], "lines": ["b = {b}"], "reason": "It is." } }));
     check(&blank, "\"take\"", "which is in none of the lines");
     let mut figure = number(&json!([]));
     figure["figure"] = json!("01-ball/roots");

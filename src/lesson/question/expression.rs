@@ -11,6 +11,9 @@ use crate::explain::shown;
 /// Numbers of a list that are smaller than this share of the largest are rounding: f64 has 16 digits.
 const ROUNDING: f64 = 1e-12;
 
+/// No expression is longer, so that none nests deeper than the stack allows.
+const MOST_TOKENS: usize = 128;
+
 /// What an expression is.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Datum {
@@ -41,6 +44,12 @@ pub(super) trait Names {
 /// What is wrong with it, in words.
 pub(super) fn evaluate(text: &str, names: &dyn Names) -> Result<Datum, String> {
     let tokens = tokens(text)?;
+    if MOST_TOKENS < tokens.len() {
+        return Err(format!(
+            "the expression has {} parts, and at most {MOST_TOKENS} are read: name some of them",
+            tokens.len()
+        ));
+    }
     let mut parser = Parser {
         tokens: &tokens,
         at: 0,
@@ -468,6 +477,7 @@ mod tests {
             ("'hit", "quotation mark"),
             ("a # b", "unexpected '#'"),
             ("a and true", "neither true nor false"),
+            (&"(".repeat(100_000), "at most 128 are read"),
         ] {
             let error = evaluate(text, &Known).unwrap_err();
             assert!(error.contains(part), "{text}: {error}");

@@ -13,7 +13,7 @@ use crate::trace::{Kind, keys_of};
 const DIGITS: u32 = 6;
 
 /// No expression refers to others this deep.
-const DEEPEST: u32 = 16;
+const DEEPEST: u32 = 8;
 
 /// An event as facts: its fields, and which keys its kind may have.
 #[derive(Clone, Debug)]

@@ -16,7 +16,8 @@ use crate::trace::{LightOptions, StrategyName, Through, Transport};
 ///
 /// Texts may hold expressions in braces, `{b^2 - 4*a*c}`: over the fields of the step that the question is about, of other
 /// steps by the names in `with`, and of the scene, `scene.objects.A.shape.sphere.radius`. `count.cell` is how many steps of a
-/// kind the pixel has.
+/// kind the pixel has. Expressions have + - * / ^, = != < <= > >=, and, or, not, words in single quotes, lists in brackets, and the functions
+/// sqrt, abs, min, max, floor, round, sin, cos, tan, asin and acos in degrees, dot, cross, length, unit, and has. `{t:3}` shows three digits.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(JsonSchema))]
 #[serde(deny_unknown_fields)]
