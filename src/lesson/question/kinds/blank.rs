@@ -9,6 +9,9 @@ use crate::lesson::question::spec::Blank;
 /// Digits of a number in worked lines.
 const DIGITS: u32 = 6;
 
+/// The most digits there, where a difference loses some.
+const MOST_DIGITS: u32 = 12;
+
 /// An answer with three right digits is right.
 const TOLERANCE: f64 = 5e-3;
 
@@ -42,10 +45,14 @@ pub(in crate::lesson::question) fn blank(
         }
         let mark = format!("[{}]", place + 1);
         let mut is_there = false;
-        for line in &mut lines {
-            let taken = without(line, &text, &mark);
-            is_there |= taken != *line;
-            *line = taken;
+        // the longest first: a shorter one may be the beginning of it
+        for digits in (DIGITS..=MOST_DIGITS).rev() {
+            let text = shown(value, digits);
+            for line in &mut lines {
+                let taken = without(line, &text, &mark);
+                is_there |= taken != *line;
+                *line = taken;
+            }
         }
         if !is_there {
             return Err(Fault::new(
