@@ -227,7 +227,13 @@ pub(super) fn edited(
         let place = file.pointer_mut(pointer);
         let place =
             place.ok_or_else(|| (pointer.clone(), format!("the scene has no {pointer:?}")))?;
-        *place = value.clone();
+        *place = match value.as_f64() {
+            // what counts stays a whole number: 640.0 pixels are 640
+            Some(number) if place.is_u64() && 0.0 <= number && number.fract() == 0.0 => {
+                Value::from(number as u64)
+            }
+            _ => value.clone(),
+        };
     }
     let mut changed = loaded.clone();
     changed.scene = serde_json::from_value(file)
