@@ -37,7 +37,9 @@ pub(in crate::figure) fn pieces(
             ..TRange::FORWARD
         };
         let ray = Ray::new(at(share), towards);
-        covers.iter().any(|cover| is_hit(cover, &ray, range))
+        covers
+            .iter()
+            .any(|cover| hit_at(cover, &ray, range).is_some())
     };
     let mut pieces = Vec::new();
     // in the middle of its part, so that no sample lies on an end
@@ -74,10 +76,10 @@ pub(in crate::figure) fn pieces(
     pieces
 }
 
-/// Does the ray hit it?
-fn is_hit(primitive: &Primitive, ray: &Ray, range: TRange) -> bool {
+/// Where does the ray hit it?
+pub(in crate::figure) fn hit_at(primitive: &Primitive, ray: &Ray, range: TRange) -> Option<f64> {
     let sides = primitive.sides;
-    let chosen = match &primitive.shape {
+    match &primitive.shape {
         Shape::Sphere(sphere) => sphere.test(ray, range, sides).roots.chosen(),
         Shape::Ellipsoid(ellipsoid) => ellipsoid.test(ray, range, sides).roots.chosen(),
         Shape::Box(solid) => solid.test(ray, range, sides).roots.chosen(),
@@ -86,8 +88,7 @@ fn is_hit(primitive: &Primitive, ray: &Ray, range: TRange) -> bool {
             let t = polygon.plane_test(ray, range, sides).chosen();
             t.filter(|t| polygon.contains(ray, *t).inside)
         }
-    };
-    chosen.is_some()
+    }
 }
 
 /// A straight line whose hidden parts are dotted.

@@ -13,6 +13,7 @@ use crate::figure::error::FigureError;
 use crate::figure::kind::Kind;
 use crate::figure::kinds::paths::argument::{Argument, aperture};
 use crate::figure::kinds::paths::shown::Shown;
+use crate::figure::parts::depth::hit_at;
 use crate::figure::parts::disc;
 use crate::figure::parts::gathering::Gathering;
 use crate::figure::parts::light_path::{Leg, Use};
@@ -29,8 +30,8 @@ use crate::figure::subject::Figure;
 use crate::figure::traced::Section;
 use crate::figure::view::Space;
 use crate::geometry::{Ray, TRange};
+use crate::scene::PrimitiveId;
 use crate::trace::{Purpose, RayTree, Totals, Transport};
-use crate::tracer::simple::{Own, closest};
 
 pub(super) const KIND: Kind = Kind {
     draw,
@@ -360,12 +361,14 @@ fn to_the_lights(figure: &Figure, sheet: &mut Sheet, space: &Space, gathering: &
             min: START,
             max: 1.0,
         };
-        let blocker = closest(figure.scene, &Own, &ray, range);
-        let [from, to] = [0.0, blocker.map_or(1.0, |hit| hit.t)].map(|t| space.place(ray.at(t)));
+        let primitives = (0..).map(PrimitiveId).zip(&figure.scene.primitives);
+        let met = primitives.filter_map(|(id, of)| Some((id, hit_at(of, &ray, range)?)));
+        let blocker = met.min_by(|(_, a), (_, b)| a.total_cmp(b));
+        let [from, to] = [0.0, blocker.map_or(1.0, |(_, t)| t)].map(|t| space.place(ray.at(t)));
         sheet.line(Look::SHADOW_RAY.in_front(), from, to);
-        if let Some(hit) = blocker {
+        if let Some((object, _)) = blocker {
             sheet.cross(Look::REJECTED, to);
-            let name = scenery::name_of(figure.scene, hit.object);
+            let name = scenery::name_of(figure.scene, object);
             let text = format!("a shadow ray would meet the {name}");
             sheet.label(space.frame, from.lerp(to, 0.5), DVec2::X, text);
         }
