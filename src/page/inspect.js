@@ -453,7 +453,7 @@ async function toPixel(x, y, address) {
     figure.insertAdjacentHTML("afterbegin", svg);
     return figure;
   }));
-  asked.replaceChildren(new Option("Who set …", ""), ...data.head.asked.map(([word]) => new Option(word)));
+  whoList.replaceChildren(new Option("Who set …", ""), ...data.head.asked.map(([word]) => new Option(word)));
   showPixel();
   const step = address === undefined ? undefined : stepAt(address);
   await go(await jump(typeof step === "number" ? step : data.head.tops[0]));
@@ -501,7 +501,7 @@ const KEYS = {
   N: moves.targetBack,
   "/": () => at(".find input").select(),
   w: moves.who,
-  W: () => asked.focus(),
+  W: () => whoList.focus(),
   g: () => at(".goto input").select(),
   Home: moves.first,
   End: moves.last,
@@ -560,15 +560,15 @@ const labels = [
 const box = made("input", { type: "checkbox", class: "predicts" });
 box.checked = predicts;
 box.addEventListener("change", () => queue(() => predict(box.checked)));
-const asked = made("select", { "aria-label": "Who set which value" });
-asked.addEventListener("change", () => {
-  const word = asked.value;
-  asked.value = "";
+const whoList = made("select", { "aria-label": "Who set which value" });
+whoList.addEventListener("change", () => {
+  const word = whoList.value;
+  whoList.value = "";
   queue(() => whoSet(word).then(toTree));
 });
 at(".moves").append(
   ...labels.map(([text, does]) => button(text, { class: "raystep-move" }, () => queue(does))),
-  asked,
+  whoList,
   button("? Keys", { class: "raystep-move" }, () => parts.keys.showModal()),
   made("label", {}, box, " Predict"),
 );
