@@ -17,7 +17,7 @@ use raystep::{Event, Record, Scene, Settings, Stopped, Traced, Tracer, record_pi
 use crate::cli::Error;
 use crate::cli::args::{Format, InspectArgs};
 use crate::cli::input::{self, Input, Log, Ready};
-use crate::cli::inspect::picture::{Shown, of_log, of_scene};
+use crate::cli::inspect::picture::{LogHeat, Shown, of_log, of_scene};
 use crate::cli::light::light_pass;
 use crate::cli::notes::note;
 use crate::cli::output::{self, Output};
@@ -136,11 +136,13 @@ fn from_log(
         records: Vec::new(),
     };
     let mut colours = Vec::new();
+    let mut heat = LogHeat::default();
     let mut held = BTreeSet::new();
     while let Some(record) = log.next_record().map_err(Error::Log)? {
         if let (Some(pixel), Event::PixelColour(colour)) = (record.pixel, &record.event) {
             colours.push((pixel, colour.clamped));
         }
+        heat.add(&record);
         if record.pixel.is_none_or(|pixel| region.contains(pixel)) {
             // a pixel of which the log has the colour alone has no steps
             let is_colour = matches!(record.event, Event::PixelColour(_));
@@ -169,7 +171,8 @@ fn from_log(
     let shown = if args.no_picture {
         Shown::default()
     } else {
-        of_log(traced.scene.camera.pixels, &colours)
+        let size = traced.scene.camera.pixels;
+        of_log(size, traced.settings.transport, &colours, heat)
     };
     if let (Some(format), Some(counts)) = (args.tracing.stats, &pages.counts) {
         let report = Report {

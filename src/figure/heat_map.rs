@@ -70,15 +70,19 @@ pub fn heat_map(pixels: [u32; 2], values: &[f64], title: &str) -> Raster {
     sheet.raster()
 }
 
-/// The same colours with one pixel for each value and no legend, and the smallest and the largest value.
-pub fn heat_overlay(pixels: [u32; 2], values: &[f64]) -> (Raster, [f64; 2]) {
-    let scale = Range::of(values);
-    let bytes = values.iter().flat_map(|&value| colour(scale.share(value)));
-    let raster = Raster {
-        pixels,
-        bytes: bytes.collect(),
-    };
-    (raster, [scale.min, scale.max])
+/// The same colours with one pixel for each value and no legend, red, green, blue and how opaque it is, and the smallest and
+/// the largest value. A pixel without a value is clear.
+pub fn heat_overlay(values: &[Option<f64>]) -> (Vec<u8>, [f64; 2]) {
+    let known: Vec<f64> = values.iter().copied().flatten().collect();
+    let scale = Range::of(&known);
+    let bytes = values.iter().flat_map(|value| match value {
+        Some(value) => {
+            let [r, g, b] = colour(scale.share(*value));
+            [r, g, b, u8::MAX]
+        }
+        None => [0; 4],
+    });
+    (bytes.collect(), [scale.min, scale.max])
 }
 
 /// The colours of a heat map from the smallest value to the largest, in equal steps.

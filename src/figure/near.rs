@@ -27,7 +27,10 @@ pub(super) fn near(scene: &Scene, records: &[Record]) -> Vec<PrimitiveId> {
     let mut found: Vec<(f64, PrimitiveId)> = all
         .map(|id| (distance(scene.primitive(id), &pieces), id))
         .collect();
-    found.sort_by(|(a, _), (b, _)| a.total_cmp(b));
+    // of equally near ones the first of the scene; their order is of no account
+    found.select_nth_unstable_by(MOST, |(a, first), (b, second)| {
+        a.total_cmp(b).then(first.cmp(second))
+    });
     found.truncate(MOST);
     let mut near: Vec<PrimitiveId> = found.into_iter().map(|(_, id)| id).collect();
     near.sort_unstable();
@@ -54,9 +57,12 @@ fn pieces(records: &[Record]) -> Pieces {
     pieces
 }
 
+/// The direction of a ray, and two corners of a box.
+type Around = (DVec3, [DVec3; 2]);
+
 /// The direction of the first ray of a trace, and two corners of a box around what happens to its rays: the rays, and the objects
-/// near them that are not much larger, and the window if that is asked for. `None` without a ray.
-pub(crate) fn around_rays(traced: &Traced, with_window: bool) -> Option<(DVec3, [DVec3; 2])> {
+/// near them that are not much larger; first without the window, and then with it. `None` without a ray.
+pub(crate) fn around_rays(traced: &Traced) -> Option<[Around; 2]> {
     /// An object that is wider than the rays are long by this factor would make them small.
     const LARGE: f64 = 1.0;
     /// Around all of it, of its diagonal.
@@ -91,22 +97,23 @@ pub(crate) fn around_rays(traced: &Traced, with_window: bool) -> Option<(DVec3, 
         camera.right + camera.up,
     ];
     let window = sides.map(|side| [corner + side; 2]);
-    let rays = if with_window {
-        window.into_iter().fold(rays, union)
-    } else {
-        rays
-    };
-    let length = rays[0].distance(rays[1]);
     let near = near(&traced.scene, &traced.records);
-    let around = near
+    let touched: Vec<[DVec3; 2]> = near
         .into_iter()
         .map(|id| traced.scene.primitive(id))
         .filter(|of| distance(of, &pieces) <= 0.0)
         .map(corners)
-        .filter(|[low, high]| low.distance(*high) <= LARGE * length)
-        .fold(rays, union);
-    let room = DVec3::splat(ROOM * around[0].distance(around[1]));
-    Some((along, [around[0] - room, around[1] + room]))
+        .collect();
+    let around = |rays: [DVec3; 2]| {
+        let length = rays[0].distance(rays[1]);
+        let touched = touched.iter().copied();
+        let around = touched
+            .filter(|[low, high]| low.distance(*high) <= LARGE * length)
+            .fold(rays, union);
+        let room = DVec3::splat(ROOM * around[0].distance(around[1]));
+        (along, [around[0] - room, around[1] + room])
+    };
+    Some([around(rays), around(window.into_iter().fold(rays, union))])
 }
 
 fn union(a: [DVec3; 2], b: [DVec3; 2]) -> [DVec3; 2] {

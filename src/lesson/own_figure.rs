@@ -32,7 +32,9 @@ pub fn own_figure(
     let traced = trace_figure(loaded, file, &spec, |error| wrong_figure(file, error))?;
     if let Some(first) = traced.first() {
         spec.object = hit(kind, first);
-        if let Some((direction, corners)) = around_rays(first, kind == FigureKind::Window) {
+        let with_window = usize::from(kind == FigureKind::Window);
+        let around = around_rays(first).map(|around| around[with_window]);
+        if let Some((direction, corners)) = around {
             spec.view = view(kind, direction);
             spec.frame = has_frame(kind).then_some(corners.map(|corner| corner.to_array()));
         }

@@ -22,7 +22,7 @@ const MOST_LISTED: usize = 8;
 pub struct StepFigures {
     traced: [Traced; 1],
     /// The direction of the first ray, and two corners of a box around what happens; without the window, and with it.
-    around: [Option<(DVec3, [DVec3; 2])>; 2],
+    around: Option<[(DVec3, [DVec3; 2]); 2]>,
 }
 
 /// A figure of a step, as it came out.
@@ -64,7 +64,7 @@ impl StepFigures {
             of_pixels: OfPixels::default(),
             records: log.records.to_vec(),
         };
-        let around = [false, true].map(|with_window| around_rays(&traced, with_window));
+        let around = around_rays(&traced);
         Self {
             traced: [traced],
             around,
@@ -218,8 +218,8 @@ impl StepFigures {
         if kind == FigureKind::Partition && log.scene.primitives.len() <= MOST_LISTED {
             spec.show = vec![Layer::Objects, Layer::Names, Layer::Cells, Layer::Lists];
         }
-        let with_window = kind == FigureKind::Window;
-        if let Some((direction, corners)) = self.around[usize::from(with_window)] {
+        let with_window = usize::from(kind == FigureKind::Window);
+        if let Some((direction, corners)) = self.around.map(|around| around[with_window]) {
             // the lists of cells are drawn across an axis
             let seen = if kind == FigureKind::Partition {
                 FigureKind::Grid

@@ -7,6 +7,43 @@ async function unpacked(part) {
   return new Response(stream).json();
 }
 
+// Numbers that the data have as distances, each from the one before.
+function sums(distances) {
+  let sum = 0;
+  return distances.map((by) => (sum += by));
+}
+
+// Steps from their forms and their numbers, as `forms.rs` writes them.
+function stepsOf({ forms, rows }) {
+  const last = [];
+  return rows.map((row) => {
+    const [form, ...marks] = row.split(" ");
+    const numbers = [];
+    for (const mark of marks) {
+      const before = last[form]?.[numbers.length];
+      numbers.push(mark === "" ? before : mark === "+" ? Number(before) + 1
+        : mark[0] === "@" ? numbers[Number.parseInt(mark.slice(1), 36)] : mark);
+    }
+    last[form] = numbers;
+    return JSON.parse(forms[form].map((piece, place) => piece + (numbers[place] ?? "")).join(""));
+  });
+}
+
+async function headOf(part) {
+  const head = await unpacked(part);
+  const { sections, filter } = head;
+  head.leaves = sums(head.leaves);
+  head.walks = head.walks.map(sums);
+  sections.forEach((section) => (section.steps = sums(section.steps)));
+  for (const key of ["landing", "led"]) {
+    filter[key] = filter[key].map((by, event) => head.leaves[event] + by);
+  }
+  for (const column of filter.columns) {
+    column.of = sums(column.places).map((place) => column.values[place]);
+  }
+  return head;
+}
+
 // The data of a pixel, or nothing where there is none: `head`, and `part(n)`, a promise of some steps in a row. All that is
 // shown of a pixel comes from here, so the data may as well be made while the page is read.
 async function pixelData(x, y) {
@@ -18,11 +55,11 @@ async function pixelData(x, y) {
   const known = new Map();
   const part = (number) => {
     if (!known.has(number)) {
-      known.set(number, unpacked(parts[number]));
+      known.set(number, unpacked(parts[number]).then(stepsOf));
     }
     return known.get(number);
   };
-  return { head: await unpacked(head), part };
+  return { head: await headOf(head), part };
 }
 
 const page = JSON.parse(document.getElementById("page").textContent);
@@ -147,6 +184,22 @@ const moves = {
   },
 };
 
+// Who set a value that a word names, on the innermost ray that has it.
+async function whoSet(word) {
+  const [, names] = data.head.asked.find(([known]) => known === word);
+  const { known, open } = stateAfter((await stepOf(here)).events[0]);
+  for (const ray of [...open.toReversed(), undefined]) {
+    const held = names.map((name) => known.get(`${ray} ${name}`)).filter((of) => of !== undefined);
+    if (0 < held.length) {
+      const { name, value, event } = held.reduce((a, b) => (b.event < a.event ? a : b));
+      await go(await jump(data.head.filter.landing[event]));
+      say(`${name}: ${value}, set by step ${addressOf(event)}`);
+      return;
+    }
+  }
+  say("no step before this one has set it");
+}
+
 // ---- addresses: the step of the log, as `37`, `#80,60:37` or `#path17:37`
 
 // The step of an address in this pixel; a message where there is none.
@@ -162,6 +215,13 @@ function stepAt(address) {
   const of = data.head.sections.find((known) => known.address === (section === "" ? "" : `#${section}`));
   const place = of?.steps.indexOf(Number(step)) ?? -1;
   return place < 0 ? `there is no step ${address}` : data.head.leaves[of.first + place];
+}
+
+const sectionOf = (event) => data.head.sections.findLast(({ first }) => first <= event);
+
+function addressOf(event) {
+  const { address, first, steps } = sectionOf(event);
+  return `${address}${steps[event - first]}`;
 }
 
 function fragment(step) {
@@ -230,23 +290,28 @@ async function chainTo(number) {
 }
 
 // What is known after an event: the changes from the first of its section to it; of a ray that has ended nothing.
-function showState(events, isTold) {
-  const { changes, sections } = data.head;
-  const { first } = sections.findLast((section) => section.first < events);
+function stateAfter(events) {
   const known = new Map();
-  for (const { ray, name, value, open } of changes.slice(first, events).flat()) {
-    const key = `${ray} ${name}`;
-    if (value === undefined) {
-      known.delete(key);
-    } else {
-      known.set(key, { ray, name, value });
-    }
-    for (const [of, held] of open === undefined ? [] : known) {
-      if (held.ray !== undefined && !open.includes(held.ray)) {
-        known.delete(of);
+  let open = [];
+  for (let event = sectionOf(Math.max(0, events - 1)).first; event < events; event += 1) {
+    for (const { ray, name, value, open: rays } of data.head.changes[event]) {
+      const key = `${ray} ${name}`;
+      if (value === undefined) {
+        known.delete(key);
+      } else {
+        known.set(key, { ray, name, value, event });
+      }
+      if (rays !== undefined) {
+        open = rays;
+        known.forEach((held, of) => held.ray !== undefined && !open.includes(held.ray) && known.delete(of));
       }
     }
   }
+  return { known, open };
+}
+
+function showState(events, isTold) {
+  const { known } = stateAfter(events);
   const rows = [...known.values()].flatMap(({ ray, name, value }) => [
     made("dt", {}, ray === undefined ? name : `ray ${ray}, ${name}`),
     made("dd", {}, value),
@@ -277,6 +342,11 @@ async function show(choice) {
   history.replaceState(null, "", fragment(step));
 }
 
+// Keys go on from the tree.
+function toTree() {
+  parts.tree.querySelector("[aria-selected=true]").focus({ preventScroll: true });
+}
+
 async function give(choice) {
   const step = await stepOf(here);
   if (!asks(here, step) || (choice !== undefined && step.question.choices.length <= choice)) {
@@ -284,7 +354,7 @@ async function give(choice) {
   }
   seen.add(here);
   await show(choice);
-  parts.tree.querySelector("[aria-selected=true]").focus({ preventScroll: true });
+  toTree();
 }
 
 async function predict(does) {
@@ -294,24 +364,54 @@ async function predict(does) {
   await show();
 }
 
+// The steps that a filter names, as in a terminal.
 async function find(text) {
-  if (text === "") {
+  // the stroke that the key wrote in a terminal may stand before them
+  const words = text.replace(/^\//, "").match(/(?:"[^"]*"|[^\s"])+/g) ?? [];
+  if (words.length === 0) {
     targets = undefined;
     say("the targets are what is of interest");
     return;
   }
-  const wanted = text.toLowerCase();
-  const found = [];
-  for (let part = 0; part * data.head.together < data.head.count; part += 1) {
-    (await data.part(part)).forEach((step, place) => {
-      if (step.title.toLowerCase().includes(wanted)) {
-        found.push({ number: part * data.head.together + place, events: step.events });
-      }
-    });
+  const { columns, landing, led } = data.head.filter;
+  const of = Object.fromEntries(columns.map((column) => [column.key, column.of]));
+  const conditions = words.map((word) => {
+    const [, key, value] = /^(?:([^=]*)=)?(.*)$/s.exec(word.replaceAll('"', ""));
+    return { key, value: key === undefined ? value : value.replace(/^\[|\]$/g, ""), small: value.toLowerCase() };
+  });
+  const unknown = conditions.find(({ key }) => key !== undefined && of[key] === undefined);
+  if (unknown !== undefined) {
+    say(`this page looks at ${Object.keys(of).join(", ")}; raystep step looks at "${unknown.key}" too`);
+    return;
   }
-  found.sort((a, b) => a.events[0] - b.events[0] || b.events[1] - a.events[1]);
-  targets = found;
-  say(`${found.length === 1 ? "1 step has" : `${found.length} steps have`} this in the title; n goes to the next`);
+  const steps = [];
+  for (let part = 0; part * data.head.together < data.head.count; part += 1) {
+    steps.push(...await data.part(part));
+  }
+  const holds = (event, step, { key, value, small }) => (key === undefined
+    ? columns.some((column) => column.of[event] === value) || steps[step].title.toLowerCase().includes(small)
+    : of[key][event] === value);
+  const kind = conditions.find(({ key }) => key === "kind");
+  const found = new Set();
+  data.head.leaves.forEach((_, event) => {
+    const step = led[event];
+    if (kind === undefined) {
+      if (conditions.every((condition) => holds(event, step, condition))) {
+        found.add(landing[event]);
+      }
+    } else if (of.kind[event] === kind.value) {
+      const [first, behind] = steps[step].events;
+      const own = Array.from({ length: behind - first }, (_, place) => first + place)
+        .filter((other) => of.ray?.[other] === of.ray?.[event]);
+      if (conditions.every((condition) => condition === kind || own.some((other) => holds(other, step, condition)))) {
+        found.add(step);
+      }
+    }
+  });
+  targets = [...found].map((number) => ({ number, events: steps[number].events }));
+  targets.sort((a, b) => a.events[0] - b.events[0] || b.events[1] - a.events[1]);
+  const many = found.size === 0 ? "no step is" : found.size === 1 ? "1 step is" : `${found.size} steps are`;
+  say(`${many} named by the filter${found.size === 0 ? "" : "; n goes to the next"}`);
 }
 
 // ---- the picture
@@ -353,6 +453,7 @@ async function toPixel(x, y, address) {
     figure.insertAdjacentHTML("afterbegin", svg);
     return figure;
   }));
+  whoList.replaceChildren(new Option("Who set …", ""), ...data.head.asked.map(([word]) => new Option(word)));
   showPixel();
   const step = address === undefined ? undefined : stepAt(address);
   await go(await jump(typeof step === "number" ? step : data.head.tops[0]));
@@ -400,6 +501,7 @@ const KEYS = {
   N: moves.targetBack,
   "/": () => at(".find input").select(),
   w: moves.who,
+  W: () => whoList.focus(),
   g: () => at(".goto input").select(),
   Home: moves.first,
   End: moves.last,
@@ -410,7 +512,7 @@ const KEYS = {
   3: () => moves.level(2),
   4: () => moves.level(3),
   5: () => moves.level(4),
-  x: () => say("another strategy needs a page of its own: raystep inspect with --strategy"),
+  x: () => say("another strategy needs a page of its own: raystep inspect … --strategy hierarchy -o other.html"),
   "Shift+ArrowRight": () => beside(1, 0),
   "Shift+ArrowLeft": () => beside(-1, 0),
   "Shift+ArrowDown": () => beside(0, 1),
@@ -436,7 +538,7 @@ function queue(does) {
 
 document.addEventListener("keydown", (event) => {
   const { target } = event;
-  const types = target.matches("input:not([type=checkbox])");
+  const types = target.matches("input:not([type=checkbox]), select");
   const presses = target.matches("button, input, summary, a") && [" ", "Enter"].includes(event.key);
   const does = KEYS[keyOf(event)];
   if (does === undefined || types || presses || parts.keys.open) {
@@ -458,8 +560,15 @@ const labels = [
 const box = made("input", { type: "checkbox", class: "predicts" });
 box.checked = predicts;
 box.addEventListener("change", () => queue(() => predict(box.checked)));
+const whoList = made("select", { "aria-label": "Who set which value" });
+whoList.addEventListener("change", () => {
+  const word = whoList.value;
+  whoList.value = "";
+  queue(() => whoSet(word).then(toTree));
+});
 at(".moves").append(
   ...labels.map(([text, does]) => button(text, { class: "raystep-move" }, () => queue(does))),
+  whoList,
   button("? Keys", { class: "raystep-move" }, () => parts.keys.showModal()),
   made("label", {}, box, " Predict"),
 );
@@ -470,7 +579,7 @@ at(".goto").addEventListener("submit", (event) => {
   queue(async () => {
     const step = stepAt(address);
     await (typeof step === "number" ? go(await jump(step)) : say(step));
-    parts.tree.querySelector("[aria-selected=true]").focus({ preventScroll: true });
+    toTree();
   });
 });
 
@@ -479,7 +588,7 @@ at(".find").addEventListener("submit", (event) => {
   const text = new FormData(event.target).get("text");
   queue(async () => {
     await find(text);
-    parts.tree.querySelector("[aria-selected=true]").focus({ preventScroll: true });
+    toTree();
   });
 });
 

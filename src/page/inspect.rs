@@ -10,7 +10,7 @@ use serde::Serialize;
 
 use crate::explain::grouped;
 use crate::explain::render::escaped;
-use crate::figure::{Raster, dark_colours, heat_scale};
+use crate::figure::{dark_colours, heat_scale};
 use crate::page::json::inline_json;
 use crate::page::packed::PackedPixel;
 use crate::scene::printable;
@@ -43,8 +43,8 @@ pub struct InspectPage {
 /// A heat map over the picture.
 #[derive(Clone, Debug)]
 pub struct HeatOverlay {
-    /// Its colours.
-    pub raster: Raster,
+    /// Its colours, as many as the picture has pixels. A pixel without a value is clear: four bytes each.
+    pub colours: Vec<u8>,
     /// The smallest and the largest value.
     pub range: [f64; 2],
     /// What the values are.
@@ -119,7 +119,7 @@ impl InspectPage {
              <title>{title}</title>\n<style>\n{}@media screen and (prefers-color-scheme: dark) {{ :root {{ {} }} }}\n</style>\n\
              </head>\n<body>\n<header><h1>{title}</h1>{notes}</header>\n<noscript><p>This page shows its steps by a script, \
              and here scripts are off.</p></noscript>\n",
-            concat!(include_str!("core.css"), include_str!("inspect.css")),
+            lean(STYLE),
             dark_colours(),
         );
         page.push_str("<main>\n");
@@ -145,7 +145,7 @@ impl InspectPage {
         let _ = write!(
             page,
             "<script>\n(() => {{\n\"use strict\";\n{}}})();\n</script>\n</body>\n</html>\n",
-            concat!(include_str!("core.js"), include_str!("inspect.js")),
+            lean(SCRIPT),
         );
     }
 
@@ -163,7 +163,7 @@ impl InspectPage {
             );
         }
         if let Some(heat) = &self.heat {
-            let png = encoded(heat.raster.pixels, Channels::Rgb, &heat.raster.bytes);
+            let png = encoded(self.size, Channels::RgbAlpha, &heat.colours);
             let _ = write!(
                 page,
                 "<img class=\"heat\" hidden alt=\"{}\" src=\"{}\">",
@@ -189,12 +189,28 @@ impl InspectPage {
     }
 }
 
+const STYLE: &str = concat!(include_str!("core.css"), include_str!("inspect.css"));
+
+const SCRIPT: &str = concat!(include_str!("core.js"), include_str!("inspect.js"));
+
+/// A script or a style sheet without comments on lines of their own, indents and empty lines. No text in them goes over lines.
+fn lean(text: &str) -> String {
+    let mut lean = String::new();
+    let lines = text.lines().map(str::trim_start);
+    for line in lines.filter(|line| !line.is_empty() && !line.starts_with("//")) {
+        lean.push_str(line);
+        lean.push('\n');
+    }
+    lean
+}
+
 /// The table of all keys.
 fn write_keys(page: &mut String) {
     page.push_str(
         "<dialog id=\"keys\" aria-labelledby=\"keys-title\"><h2 id=\"keys-title\">Keys</h2>\n<table>\n",
     );
-    let has_page = |key: &&crate::step::Key| !matches!(key.words, ["q", ..]);
+    // a page has no end, and another strategy needs another page
+    let has_page = |key: &&crate::step::Key| !matches!(key.words, ["q" | "x", ..]);
     for key in KEYS.iter().filter(has_page) {
         let _ = writeln!(
             page,
@@ -204,7 +220,7 @@ fn write_keys(page: &mut String) {
             escaped(key.does)
         );
     }
-    page.push_str("</table>\n<form method=\"dialog\"><button>Close</button></form></dialog>\n");
+    page.push_str("<tr><th scope=\"row\"><kbd>W</kbd></th><td>who set a value that is named, such as t: choose it in the list</td></tr>\n</table>\n<form method=\"dialog\"><button>Close</button></form></dialog>\n");
 }
 
 fn data_uri(png: &[u8]) -> String {
@@ -219,18 +235,27 @@ fn number(value: f64) -> String {
 
 #[cfg(test)]
 mod tests {
+    use super::*;
+
     #[test]
     fn script_and_style_have_at_most_30_kb_and_ask_for_nothing() {
-        let files = [
-            include_str!("core.css"),
-            include_str!("inspect.css"),
-            include_str!("core.js"),
-            include_str!("inspect.js"),
-        ];
-        let bytes: usize = files.iter().map(|file| file.len()).sum();
+        let page = [STYLE, SCRIPT].map(lean);
+        let bytes: usize = page.iter().map(String::len).sum();
         assert!(bytes <= 30_000, "{bytes}");
-        for file in files {
-            assert!(!file.contains("http") && !file.contains("url(") && !file.contains("fetch("));
+        for part in page {
+            assert!(!part.contains("http") && !part.contains("url(") && !part.contains("fetch("));
         }
+        // a text over several lines would lose its indents
+        assert!(
+            SCRIPT
+                .lines()
+                .all(|line| line.matches('`').count() % 2 == 0)
+        );
+    }
+
+    #[test]
+    fn comments_and_indents_are_left_out() {
+        let text = "// why\nif (a) {\n  // because\n  b(); // here\n\n}\n";
+        assert_eq!(lean(text), "if (a) {\nb(); // here\n}\n");
     }
 }

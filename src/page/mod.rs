@@ -7,6 +7,8 @@
 //!                     ├─ stepper   the stepper of a book: the figure, and the list of its steps
 //!                     ├─ quiz      a question of a book
 //!                     ├─ packed    all steps of a pixel with their moves, for a page that holds many
+//!                     ├─ forms     texts that differ in numbers alone: each form once
+//!                     ├─ filter    what a filter looks at, by event
 //!                     └─ inspect   one page of a picture and its pixels
 //!
 //! core.js, core.css         what the pages share: a step's words, and its question
@@ -17,6 +19,8 @@
 //!
 //! The words, the questions and the moves come from `step`. The scripts look them up and show them; they compute none.
 
+mod filter;
+mod forms;
 mod inspect;
 mod json;
 mod packed;
@@ -24,6 +28,7 @@ mod quiz;
 mod stepper;
 mod steps;
 
+pub use filter::FILTER_KEYS;
 pub use inspect::{HeatOverlay, InspectPage, PageTooLarge};
 pub use packed::{PackedPixel, View};
 pub use quiz::{Quiz, QuizData, quiz, told};

@@ -1,5 +1,6 @@
 //! The steps of a pixel for a page that holds many: packed, and unpacked where a reader comes to them.
 
+use std::collections::BTreeSet;
 use std::io::Write;
 
 use base64::Engine as _;
@@ -10,9 +11,11 @@ use serde::Serialize;
 
 use crate::explain::Section;
 use crate::figure::DrawnUpTo;
+use crate::page::filter::FilterFace;
+use crate::page::forms::{Forms, distances};
 use crate::page::steps::{Grains, StepFace};
 use crate::parallel;
-use crate::step::{Change, Level, StepLog, StepWords, Value};
+use crate::step::{Asked, Change, Level, Quantity, StepLog, StepWords, Value};
 
 /// So many steps are packed together: they are unpacked within some milliseconds, and a neighbour is most often among them.
 const TOGETHER: usize = 250;
@@ -35,7 +38,7 @@ pub struct PackedPixel {
     pub pixel: [u32; 2],
     /// The number of its events.
     pub events: usize,
-    /// The head, and then the steps, [`PackedPixel::TOGETHER`] in each part.
+    /// The head, and then the steps, [`PackedPixel::TOGETHER`] in each part, by forms and numbers.
     pub parts: Vec<String>,
 }
 
@@ -51,12 +54,16 @@ struct Head<'a> {
     sections: Vec<SectionFace>,
     /// The first section and the one behind the last, among the steps.
     tops: [usize; 2],
-    /// The leaf of each event.
-    leaves: &'a [usize],
-    /// Of each grain its steps, in the order of the log.
-    walks: &'a [Vec<usize>],
+    /// The leaf of each event: the distance from that of the event before.
+    leaves: Vec<i64>,
+    /// Of each grain its steps, in the order of the log, each as the distance from the one before.
+    walks: Vec<Vec<i64>>,
     /// What each event changed.
     changes: Vec<Vec<ChangeFace>>,
+    /// The words by which a reader asks who set a value, each with the names of its quantities in `changes`.
+    asked: Vec<(&'static str, Vec<String>)>,
+    /// What a filter looks at.
+    filter: FilterFace,
     views: Vec<ViewFace<'a>>,
 }
 
@@ -66,8 +73,8 @@ struct SectionFace {
     address: String,
     /// The place of its first event.
     first: usize,
-    /// The steps of its events.
-    steps: Vec<u32>,
+    /// The steps of its events, each as the distance from the one before.
+    steps: Vec<i64>,
 }
 
 /// A quantity with its new value.
@@ -97,9 +104,7 @@ impl PackedPixel {
     /// Packs the steps of a pixel.
     pub fn new(log: &StepLog, pixel: [u32; 2], views: &[View]) -> Self {
         let moves = log.moves();
-        let leaves: Vec<usize> = (0..log.records.len())
-            .map(|event| log.leaf(event))
-            .collect();
+        let leaves = (0..log.records.len()).map(|event| log.leaf(event));
         let change = |change: &Change| ChangeFace {
             ray: change.ray,
             name: change.quantity.name(log.scene),
@@ -110,6 +115,7 @@ impl PackedPixel {
             },
         };
         let changes = log.changes_by_event();
+        let asked = asked_of(log, &changes);
         let changes = changes
             .iter()
             .map(|changes| changes.iter().map(change).collect());
@@ -123,9 +129,15 @@ impl PackedPixel {
                 .map(|section| section_of(log, section))
                 .collect(),
             tops: [sections.start, sections.end],
-            leaves: &leaves,
-            walks: &moves.walks,
+            leaves: distances(leaves),
+            walks: moves
+                .walks
+                .iter()
+                .map(|walk| distances(walk.iter().copied()))
+                .collect(),
             changes: changes.collect(),
+            asked,
+            filter: FilterFace::of(log),
             views: views
                 .iter()
                 .map(|view| ViewFace {
@@ -141,10 +153,9 @@ impl PackedPixel {
         let words = StepWords::of_all(log);
         parts.extend(parallel::map(count.div_ceil(TOGETHER), |part| {
             let steps = part * TOGETHER..count.min((part + 1) * TOGETHER);
-            let faces: Vec<StepFace> = steps
-                .map(|step| StepFace::with_moves(log, &words, step, &drawn, &grains))
-                .collect();
-            packed(&faces)
+            packed(&Forms::of(steps.map(|step| {
+                json(&StepFace::with_moves(log, &words, step, &drawn, &grains))
+            })))
         }));
         Self {
             pixel,
@@ -171,17 +182,34 @@ fn section_of(log: &StepLog, number: usize) -> SectionFace {
     SectionFace {
         address,
         first: step.events.start,
-        steps: records.iter().map(|record| record.step).collect(),
+        steps: distances(records.iter().map(|record| record.step as usize)),
     }
+}
+
+/// The words of which something is known in a log, each with the names of its quantities.
+fn asked_of(log: &StepLog, changes: &[Vec<Change>]) -> Vec<(&'static str, Vec<String>)> {
+    let known: BTreeSet<Quantity> = changes.iter().flatten().map(|of| of.quantity).collect();
+    let asked = Asked::words().filter_map(|word| {
+        let asked = Asked::named(word)?;
+        let held = known.iter().filter(|quantity| asked.holds(**quantity));
+        let names: Vec<String> = held.map(|quantity| quantity.name(log.scene)).collect();
+        (!names.is_empty()).then_some((word, names))
+    });
+    asked.collect()
+}
+
+fn json(data: &impl Serialize) -> String {
+    // no key of the data is anything but a text
+    let json = serde_json::to_string(data);
+    debug_assert!(json.is_ok(), "{:?}", json.as_ref().err());
+    json.unwrap_or_default()
 }
 
 /// Data as JSON, in gzip, in base64.
 fn packed(data: &impl Serialize) -> String {
-    // writing into memory does not fail, and no key of the data is anything but a text
-    let json = serde_json::to_vec(data);
-    debug_assert!(json.is_ok(), "{:?}", json.as_ref().err());
     let mut gzip = GzEncoder::new(Vec::new(), Compression::best());
-    let written = gzip.write_all(&json.unwrap_or_default());
+    let written = gzip.write_all(json(data).as_bytes());
+    // writing into memory does not fail
     debug_assert!(written.is_ok(), "{written:?}");
     BASE64.encode(gzip.finish().unwrap_or_default())
 }

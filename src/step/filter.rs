@@ -120,7 +120,7 @@ impl Filter {
             let step = match self.kind {
                 None if self.holds(event, &mut held) => log.landing(event),
                 Some(kind) if record.event.kind() == kind => {
-                    let step = led_by(log, event);
+                    let step = log.led_by(event);
                     if !self.holds_in(step, &mut held) {
                         continue;
                     }
@@ -138,7 +138,7 @@ impl Filter {
     }
 
     fn holds(&self, event: usize, held: &mut Held) -> bool {
-        let step = |log: &StepLog| led_by(log, event);
+        let step = |log: &StepLog| log.led_by(event);
         let mut conditions = self.conditions.iter();
         conditions.all(|condition| held.holds(event, step, condition))
     }
@@ -213,14 +213,16 @@ pub(in crate::step) fn told_of(
     told
 }
 
-/// The largest step that an event leads.
-fn led_by(log: &StepLog, event: usize) -> usize {
-    let leaf = log.leaf(event);
-    let above = log.above(leaf).take_while(|&above| {
-        let step = log.step(above);
-        step.lead == event && !step.is_fold() && step.parent.is_some()
-    });
-    above.last().unwrap_or(leaf)
+impl StepLog<'_> {
+    /// The largest step that an event leads.
+    pub(crate) fn led_by(&self, event: usize) -> usize {
+        let leaf = self.leaf(event);
+        let above = self.above(leaf).take_while(|&above| {
+            let step = self.step(above);
+            step.lead == event && !step.is_fold() && step.parent.is_some()
+        });
+        above.last().unwrap_or(leaf)
+    }
 }
 
 /// Looks at the values of the log's lines, which are not written for it.

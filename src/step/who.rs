@@ -54,7 +54,8 @@ impl Asked {
         WORDS.iter().map(|(word, _)| *word)
     }
 
-    fn holds(self, quantity: Quantity) -> bool {
+    /// Is it one of them?
+    pub(crate) fn holds(self, quantity: Quantity) -> bool {
         let is_light = self.0 == COLOURS && matches!(quantity, Quantity::Light(_));
         is_light || self.0.contains(&quantity)
     }

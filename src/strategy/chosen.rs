@@ -29,6 +29,14 @@ impl<S: Fast> Driven<S> {
             aids: OnceLock::new(),
         }
     }
+
+    /// The fast driver, with its aids.
+    // apart: what chooses a strategy for a ray then needs no room for the variables of any of them
+    #[inline(never)]
+    fn search_fast(&self, ray: &Ray, search: &mut impl Search) -> ControlFlow<()> {
+        let Self { strategy, aids } = self;
+        strategy.search_fast(aids.get_or_init(|| strategy.aids()), ray, search)
+    }
 }
 
 impl<S: Fast> Strategy for Driven<S> {
@@ -39,11 +47,10 @@ impl<S: Fast> Strategy for Driven<S> {
         search: &mut impl Search,
         recorder: &mut R,
     ) -> ControlFlow<()> {
-        let Self { strategy, aids } = self;
         if R::ENABLED {
-            strategy.search(ray, search, recorder)
+            self.strategy.search(ray, search, recorder)
         } else {
-            strategy.search_fast(aids.get_or_init(|| strategy.aids()), ray, search)
+            self.search_fast(ray, search)
         }
     }
 

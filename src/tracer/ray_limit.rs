@@ -40,6 +40,7 @@ impl Recorder for RayLimit {
 }
 
 /// Traces for a pixel with a limit of its rays, and says why if tracing stops.
+#[inline]
 pub(super) fn within<'r, R: Recorder, T>(
     max_rays: u64,
     pixel: [u32; 2],

@@ -33,6 +33,7 @@ impl fmt::Display for Stopped {
 
 impl Stopped {
     /// What was traced, if the recorder has heard all of it. A recorder that has enough of the last ray stops no ray.
+    #[inline]
     pub(super) fn unless_whole<T>(
         traced: ControlFlow<(), T>,
         recorder: &impl Recorder,

@@ -456,9 +456,13 @@ fn line(text: impl Into<String>, indent: usize, tone: Tone) -> Line {
 }
 
 /// What keys do that are not in the table of all steppers.
-const OF_TERMINAL: [(&str, &str); 4] = [
+const OF_TERMINAL: [(&str, &str); 5] = [
     ("Tab", "the drawing in the place of the working, and back"),
     ("Enter", "the working of the step over the whole screen"),
+    (
+        "W",
+        "who set a value that is named, such as t: the nearest t",
+    ),
     (
         ":",
         "type a command by its word, as in w t or level 3; the words are those of --plain",

@@ -28,6 +28,7 @@ impl Prompt {
         let (label, start) = match key {
             "/" => ("filter: /", "/"),
             "g" => ("go to step: ", "g "),
+            "W" => ("who set (t, near, far, colour, …): ", "w "),
             ":" => ("command: ", ""),
             _ => return None,
         };

@@ -139,6 +139,60 @@ fn name(key: KeyEvent) -> Option<String> {
 mod tests {
     use super::*;
 
+    /// In the environment of a process that is to panic.
+    const PANICS: &str = "RAYSTEP_TEST_PANICS";
+
+    const MESSAGE: &str = "in the middle of a screen";
+
+    /// What the next test starts in a terminal; by itself it only asks whether it is.
+    #[test]
+    fn panics_where_the_environment_asks_for_it() {
+        if std::env::var_os(PANICS).is_some() {
+            let _screen = Screen::open(Look::default()).unwrap();
+            panic!("{MESSAGE}");
+        }
+    }
+
+    /// `script` makes a terminal and writes down what comes out of it.
+    #[cfg(target_os = "linux")]
+    #[test]
+    fn a_panic_gives_the_terminal_back_before_it_speaks() {
+        let own = std::env::current_exe().unwrap();
+        let path = module_path!().split_once("::").unwrap().1;
+        let inside = format!(
+            "stty -g; '{}' --exact {path}::panics_where_the_environment_asks_for_it --nocapture; stty -g",
+            own.display()
+        );
+        let script = std::process::Command::new("script")
+            .args(["-qec", &inside, "/dev/null"])
+            .env(PANICS, "yes")
+            .env("TERM", "xterm")
+            .stdin(std::process::Stdio::null())
+            .output();
+        let out = script.expect("script of util-linux").stdout;
+        let out = String::from_utf8(out).unwrap();
+        let place = |text: &str| {
+            out.find(text)
+                .unwrap_or_else(|| panic!("{text:?} in {out:?}"))
+        };
+        // the other screen is entered, left, the cursor is shown again, and then the message is read on the first one
+        let order = ["\x1b[?1049h", "\x1b[?1049l", "\x1b[?25h", MESSAGE].map(place);
+        assert!(order.is_sorted(), "{order:?} {out:?}");
+        // lines are read as before: the settings are those from before it
+        let settings = |line: &str| {
+            line.contains(':')
+                && line
+                    .split(':')
+                    .all(|of| u32::from_str_radix(of, 16).is_ok())
+        };
+        let lines = out.lines().map(str::trim);
+        let settings: Vec<&str> = lines.filter(|line| settings(line)).collect();
+        assert!(
+            settings.len() == 2 && settings[0] == settings[1],
+            "{settings:?} {out:?}"
+        );
+    }
+
     #[test]
     fn a_key_has_the_name_of_the_table() {
         let of = |code, modifiers| name(KeyEvent::new(code, modifiers));

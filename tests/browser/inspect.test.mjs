@@ -88,14 +88,56 @@ test("a step is found by its number, by a word and by the address", async () => 
   await press("Enter");
   await says("there is no step 99");
   await press("/");
-  await page.getByLabel("Find in titles").fill("NEAREST");
+  await page.getByLabel("Filter").fill("NEAREST");
   await press("Enter");
-  await says("1 step has this in the title");
+  await says("1 step is named by the filter");
+  // the test that found it, as in the terminal
   await press("N");
-  await title("nearest hit: ball");
+  await title("ball: sphere: hit");
   await page.evaluate(() => { location.hash = "#3,5:0"; });
   await title("window point");
   await page.getByText("Pixel 3,5 of 9 × 9").waitFor();
+  assert.deepEqual(faults, []);
+  await close();
+});
+
+test("a filter names the steps that the terminal names", async () => {
+  const { page, faults, close, title, says, press } = await opened("ball.html#4,4:0");
+  const filter = async (text, answer) => {
+    await press("/");
+    await page.getByLabel("Filter").fill(text);
+    await press("Enter");
+    await says(answer);
+  };
+  // `raystep step … --plain --script '/rejected'` and so on
+  await filter("/rejected", "3 steps are named by the filter");
+  await filter("kind=sphere_test object=far", "2 steps are named by the filter");
+  await press("n", "n");
+  await page.waitForURL(/:7$/);
+  await filter("kind=ray_end object=ball", "1 step is named by the filter");
+  await press("n");
+  await title("end of ray 0: hit");
+  await filter('"Colour of"', "1 step is named by the filter");
+  await filter("kind=cell", "no step is named by the filter");
+  await filter("discriminant=4", 'raystep step looks at "discriminant" too');
+  await filter("", "the targets are what is of interest");
+  assert.deepEqual(faults, []);
+  await close();
+});
+
+test("who set a value is chosen by its word", async () => {
+  const { page, faults, close, title, says, press } = await opened("ball.html#4,4:10");
+  const words = () => page.getByLabel("Who set which value").locator("option").allTextContents();
+  assert.deepEqual(await words(), ["Who set …", "t", "nearest", "ambient", "lights", "colour"]);
+  // `raystep step … --script 'g 10 w t'`
+  await page.getByLabel("Who set which value").selectOption("t");
+  await title("ball: sphere: hit");
+  await says("nearest hit: ball at t = 4, set by step 3");
+  await page.getByLabel("Who set which value").selectOption("lights");
+  await says("no step before this one has set it");
+  // the list takes no key from the steps
+  await press("ArrowDown");
+  await title("far: sphere: rejected, no root");
   assert.deepEqual(faults, []);
   await close();
 });
@@ -165,7 +207,7 @@ test("the keys are listed, and what is typed into a form moves nothing", async (
   await keys.getByText("first step inside this one").waitFor();
   await press("ArrowDown", "Escape");
   await title("ball: sphere: hit");
-  await page.getByLabel("Find in titles").focus();
+  await page.getByLabel("Filter").focus();
   await press("n", "ArrowDown", "Escape");
   await title("ball: sphere: hit");
   await press("y");
@@ -194,6 +236,8 @@ test("names that look like markup stay text", async () => {
 test("a log has the paths of light of its pixel, and the picture as far as it has its pixels", async () => {
   const { page, faults, close, title, press } = await opened("light.html");
   await page.getByText(/^The log has 1 of the .* pixels of the picture\.$/).waitFor();
+  // a connecting line belongs to no pixel
+  assert.equal(await page.getByLabel("Heat map").count(), 0);
   assert.match(await page.locator("[role=treeitem]").first().textContent(), /Path \d+ of light/);
   const path = (await page.locator("[role=treeitem]").first().textContent()).match(/Path (\d+)/)[1];
   await press("ArrowRight");

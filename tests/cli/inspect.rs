@@ -20,6 +20,56 @@ pub(crate) fn unpacked(part: &str) -> Value {
     serde_json::from_str(&json).unwrap()
 }
 
+/// The steps of a part, from their forms and their numbers.
+pub(crate) fn steps_of(part: &Value) -> Vec<Value> {
+    let texts = |list: &Value| -> Vec<String> {
+        let list = list.as_array().unwrap().iter();
+        list.map(|text| text.as_str().unwrap().into()).collect()
+    };
+    let forms: Vec<Vec<String>> = part["forms"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(texts)
+        .collect();
+    let mut last = vec![Vec::new(); forms.len()];
+    let step = |row: &String| {
+        let mut marks = row.split(' ');
+        let form: usize = marks.next().unwrap().parse().unwrap();
+        let mut numbers: Vec<String> = Vec::new();
+        for (place, mark) in marks.enumerate() {
+            let before = || -> &String { &last[form][place] };
+            let number = match mark.strip_prefix('@') {
+                Some(known) => numbers[usize::from_str_radix(known, 36).unwrap()].clone(),
+                None if mark.is_empty() => before().clone(),
+                None if mark == "+" => (before().parse::<u32>().unwrap() + 1).to_string(),
+                None => mark.into(),
+            };
+            numbers.push(number);
+        }
+        let mut text = forms[form][0].clone();
+        for (number, piece) in numbers.iter().zip(&forms[form][1..]) {
+            text += number;
+            text += piece;
+        }
+        last[form] = numbers;
+        serde_json::from_str(&text).unwrap()
+    };
+    texts(&part["rows"]).iter().map(step).collect()
+}
+
+/// Numbers that a head has as distances.
+pub(crate) fn sums(distances: &Value) -> Value {
+    let mut sum = 0;
+    let distances = distances.as_array().unwrap().iter();
+    distances
+        .map(|by| {
+            sum += by.as_i64().unwrap();
+            sum
+        })
+        .collect()
+}
+
 /// The data of each pixel that a page holds: the head, and then all its steps.
 fn pixels(page: &str) -> Vec<(String, Value, Vec<Value>)> {
     let of_pixel = |text: &str| {
@@ -27,8 +77,8 @@ fn pixels(page: &str) -> Vec<(String, Value, Vec<Value>)> {
         let packed = rest.split("</script>").next().unwrap();
         let mut parts: Vec<Value> = packed.split(' ').map(unpacked).collect();
         let head = parts.remove(0);
-        let steps = parts.iter().flat_map(|part| part.as_array().unwrap());
-        (pixel.to_owned(), head, steps.cloned().collect())
+        let steps = parts.iter().flat_map(steps_of);
+        (pixel.to_owned(), head, steps.collect())
     };
     page.split("<script type=\"text/plain\" data-pixel=\"")
         .skip(1)
@@ -105,8 +155,13 @@ fn a_page_says_the_words_of_the_plain_face_with_every_strategy_and_transport() {
         assert_eq!(held, pixel);
         // along the tests, and along the events
         for (key, walk) in [("4", 3), ("5", 4)] {
-            let walk = head["walks"][walk].as_array().unwrap();
-            let walk: Vec<&Value> = walk.iter().map(|step| &all[number(step)]).collect();
+            let walk = sums(&head["walks"][walk]);
+            let walk: Vec<&Value> = walk
+                .as_array()
+                .unwrap()
+                .iter()
+                .map(|step| &all[number(step)])
+                .collect();
             let script = format!("{key} first{}", " over".repeat(walk.len() - 1));
             let plain = step(
                 &folder,
@@ -187,7 +242,31 @@ fn a_page_of_a_log_holds_what_the_log_holds() {
         page.contains("<p>The log has 2 of the 48 pixels of the picture.</p>"),
         "{page}"
     );
-    assert!(!page.contains("Heat map"));
+    assert!(page.contains("Heat map: object tests per pixel"));
+    // a log of all pixels has the heat map of the scene
+    folder
+        .run("trace scene.json --pixels 8,6 --strategy grid -o all.jsonl")
+        .well();
+    let heat = |from: &str| {
+        let page = format!("inspect {from} -o heat.html --quiet");
+        folder.run(&page).well();
+        let page = String::from_utf8(folder.read("heat.html")).unwrap();
+        let image = page.split("<img class=\"heat\"").nth(1).unwrap();
+        image.split("</section>").next().unwrap().to_owned()
+    };
+    let of_scene = heat("scene.json --pixels 8,6 --strategy grid");
+    assert_eq!(heat("all.jsonl"), of_scene);
+    assert_ne!(heat("part.jsonl"), of_scene);
+    // one that holds no tests has none
+    folder
+        .run("trace scene.json --pixels 8,6 --only pixel,shade,pixel_colour -o few.jsonl")
+        .well();
+    folder.run("inspect few.jsonl -o page.html --quiet").well();
+    assert!(
+        !String::from_utf8(folder.read("page.html"))
+            .unwrap()
+            .contains("Heat map")
+    );
     // the same pixel as from the scene
     let scene = "inspect scene.json --pixels 8,6 3,2 --strategy grid -o other.html --quiet";
     folder.run(scene).well();

@@ -1,11 +1,12 @@
 //! The tables of the moves lead where the cursor goes.
 
-use raystep::page::PackedPixel;
-use raystep::step::{Cursor, Level, Move, StepLog};
+use raystep::page::{FILTER_KEYS, PackedPixel};
+use raystep::step::{Asked, Cursor, Filter, Level, Move, StepLog};
+use raystep::trace::{LineSink, LogNames, Sink};
 use serde_json::{Value, json};
 
 use super::{each_of_few, each_random};
-use crate::cli::inspect::unpacked;
+use crate::cli::inspect::{steps_of, sums, unpacked};
 
 #[test]
 fn the_tables_lead_where_the_cursor_goes() {
@@ -106,13 +107,13 @@ fn the_data_of_a_page_lead_where_the_cursor_goes() {
         let packed = PackedPixel::new(log, [0, 0], &[]);
         let mut parts = packed.parts.iter().map(|part| unpacked(part));
         let head = parts.next().unwrap();
-        let steps: Vec<Value> = parts
-            .flat_map(|part| part.as_array().unwrap().clone())
-            .collect();
+        let steps: Vec<Value> = parts.flat_map(|part| steps_of(&part)).collect();
         assert_eq!(steps.len(), log.steps().len(), "{name}");
         let targets = log.targets();
         let moves = log.moves();
-        assert_eq!(head["walks"], json!(moves.walks), "{name}");
+        let walks = head["walks"].as_array().unwrap().iter();
+        let walks: Vec<Value> = walks.map(sums).collect();
+        assert_eq!(json!(walks), json!(moves.walks), "{name}");
         let grain = |place: &Value| moves.grains[place.as_u64().unwrap() as usize];
         for (step, data) in steps.iter().enumerate().step_by(1 + steps.len() / 50) {
             let here = Cursor::at(log, step);
@@ -142,7 +143,88 @@ fn the_data_of_a_page_lead_where_the_cursor_goes() {
         let leaves: Vec<usize> = (0..log.records.len())
             .map(|event| log.leaf(event))
             .collect();
-        assert_eq!(head["leaves"], json!(leaves), "{name}");
+        assert_eq!(sums(&head["leaves"]), json!(leaves), "{name}");
+        check_filter(name, log, &head);
+        check_asked(name, log, &head);
     });
     assert!(3000 < compared, "{compared} steps");
+}
+
+/// What a filter looks at: each value of the log's lines under its key, and the steps that an event stands for.
+fn check_filter(name: &str, log: &StepLog, head: &Value) {
+    let names = LogNames::new(log.scene);
+    let mut sink = LineSink::new(&names);
+    for record in log.records {
+        assert!(sink.record(record).is_continue());
+    }
+    let lines: Vec<Value> = String::from_utf8(sink.lines)
+        .unwrap()
+        .lines()
+        .map(|line| serde_json::from_str(line).unwrap())
+        .collect();
+    let filter = &head["filter"];
+    let columns = filter["columns"].as_array().unwrap();
+    for key in FILTER_KEYS {
+        let column = columns.iter().find(|column| column["key"] == key);
+        let places = column.map(|column| sums(&column["places"]));
+        for (event, line) in lines.iter().enumerate() {
+            let held = column.map_or("", |column| {
+                let place = places.as_ref().unwrap()[event].as_u64().unwrap();
+                column["values"][place as usize].as_str().unwrap()
+            });
+            let expected = match &line[key] {
+                Value::Null => String::new(),
+                Value::String(text) => text.clone(),
+                other => other.to_string().replace(['[', ']'], ""),
+            };
+            assert_eq!(held, expected, "{name}: {event} {key}");
+        }
+    }
+    let all = |steps: &[i64], key: &str| -> Vec<i64> {
+        let by = filter[key].as_array().unwrap().iter();
+        by.zip(steps)
+            .map(|(by, leaf)| by.as_i64().unwrap() + leaf)
+            .collect()
+    };
+    let leaves: Vec<i64> = (0..lines.len())
+        .map(|event| log.leaf(event) as i64)
+        .collect();
+    let landing: Vec<i64> = (0..lines.len())
+        .map(|event| log.landing(event) as i64)
+        .collect();
+    assert_eq!(all(&leaves, "landing"), landing, "{name}");
+    // a kind alone names the steps that its events lead
+    let led = all(&leaves, "led");
+    for kind in ["sphere_test", "node", "cell", "light_term"] {
+        let filter = Filter::new(&[format!("kind={kind}")]).unwrap();
+        let mut expected = filter.targets(log);
+        let of_kind = lines
+            .iter()
+            .zip(&led)
+            .filter(|(line, _)| line["kind"] == kind);
+        let mut found: Vec<usize> = of_kind.map(|(_, step)| *step as usize).collect();
+        expected.sort_unstable();
+        found.sort_unstable();
+        found.dedup();
+        assert_eq!(found, expected, "{name}: {kind}");
+    }
+}
+
+/// The words after `w`: each that is set somewhere, with the names of what it stands for.
+fn check_asked(name: &str, log: &StepLog, head: &Value) {
+    let asked = head["asked"].as_array().unwrap();
+    for word in Asked::words() {
+        let last = log.steps().len() - 1;
+        let set = (0..log.steps().len())
+            .step_by(1 + last / 20)
+            .find_map(|step| {
+                let setter = log.who_set(step, Asked::named(word))?;
+                Some(setter.quantity.name(log.scene))
+            });
+        let held = asked.iter().find(|held| held[0] == word);
+        if let Some(quantity) = set {
+            let names = held.unwrap()[1].as_array().unwrap();
+            assert!(names.contains(&json!(quantity)), "{name}: {word} {names:?}");
+        }
+    }
 }

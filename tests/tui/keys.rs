@@ -86,6 +86,12 @@ fn a_filter_a_step_and_a_command_are_typed_letter_by_letter() {
     typed(&mut app, "g1");
     press(&mut app, &["Esc"]);
     assert_eq!(app.here(), log.leaf(3));
+    // who set a value that is named
+    typed(&mut app, "g6");
+    press(&mut app, &["Enter"]);
+    typed(&mut app, "Wt");
+    press(&mut app, &["Enter"]);
+    assert!(screen(&mut app, SIZE).contains("nearest hit: A at t = 5.00028, set by"));
     // several commands by their words, of which one has a value
     typed(&mut app, ":g 6 w t");
     press(&mut app, &["Enter"]);

@@ -1,5 +1,6 @@
 //! The picture and the heat map of a page.
 
+use std::collections::BTreeMap;
 use std::path::Path;
 use std::time::Instant;
 
@@ -7,8 +8,11 @@ use glam::DVec3;
 use raystep::explain::grouped;
 use raystep::figure::heat_overlay;
 use raystep::page::HeatOverlay;
-use raystep::tracer::{HeatOf, heat_values, render_heat};
-use raystep::{Chosen, Counts, StrategyName, StructureOptions, Tracer, Transport, render_picture};
+use raystep::tracer::{HeatLine, HeatOf, heat_values, render_heat};
+use raystep::{
+    Chosen, Counts, Record, Recorder, StrategyName, StructureOptions, Tracer, Transport,
+    render_picture,
+};
 
 use crate::cli::Error;
 use crate::cli::input::Ready;
@@ -60,12 +64,7 @@ pub(crate) fn of_scene<'a>(
     let through = ready.settings.through;
     let bar = bar(u64::from(ready.scene.camera.pixels[1]));
     let done = |lines: usize| bar.set_position(lines as u64);
-    // there a ray does not belong to a single pixel
-    let has_heat = !matches!(
-        ready.settings.transport,
-        Transport::Forward | Transport::HybridConnected
-    );
-    let traced = if has_heat {
+    let traced = if has_heat(ready.settings.transport) {
         render_heat(&tracer, through, &mut Counts::default(), &done)
             .map(|(picture, lines)| (picture, Some(lines)))
     } else {
@@ -75,12 +74,7 @@ pub(crate) fn of_scene<'a>(
     let (picture, lines) = traced.map_err(|stopped| ready.stopped(stopped))?;
     let heat = lines.map(|lines| {
         let values = heat_values(&lines, HeatOf::Tests, through);
-        let (raster, range) = heat_overlay(picture.pixels, &values);
-        HeatOverlay {
-            raster,
-            range,
-            title: HeatOf::Tests.title().into(),
-        }
+        overlay(&values.into_iter().map(Some).collect::<Vec<_>>())
     });
     let rgb = picture.bytes();
     let (rgb, _) = rgb.as_chunks();
@@ -96,8 +90,71 @@ pub(crate) fn of_scene<'a>(
     })
 }
 
-/// The picture as far as a log has its pixels.
-pub(crate) fn of_log([width, height]: [u32; 2], colours: &[([u32; 2], DVec3)]) -> Shown {
+/// Is a cost one of a single pixel? A ray to the eye, or a connecting line, belongs to none.
+fn has_heat(transport: Transport) -> bool {
+    !matches!(transport, Transport::Forward | Transport::HybridConnected)
+}
+
+/// The heat map of values, one for each pixel of the picture.
+fn overlay(values: &[Option<f64>]) -> HeatOverlay {
+    let (colours, range) = heat_overlay(values);
+    HeatOverlay {
+        colours,
+        range,
+        title: HeatOf::Tests.title().into(),
+    }
+}
+
+/// The object tests of a log's pixels, one record after the other.
+#[derive(Debug, Default)]
+pub(crate) struct LogHeat {
+    known: BTreeMap<[u32; 2], f64>,
+    /// The pixel that is read, and the tests of its eye rays so far.
+    open: Option<([u32; 2], HeatLine)>,
+}
+
+impl LogHeat {
+    /// One more record of the log.
+    pub(crate) fn add(&mut self, record: &Record) {
+        let pixel = record.pixel;
+        if self.open.as_ref().map(|(pixel, _)| *pixel) != pixel {
+            self.end();
+            self.open = pixel.map(|pixel| (pixel, HeatLine::default()));
+        }
+        if let Some((_, line)) = &mut self.open {
+            line.note(|| record.event);
+        }
+    }
+
+    /// The pixel that was read has no more records.
+    fn end(&mut self) {
+        let open = self.open.take();
+        let value = open.and_then(|(pixel, line)| Some((pixel, line.of_pixel(HeatOf::Tests)?)));
+        self.known.extend(value);
+    }
+
+    /// The heat map; `None` if the log has no test of an object.
+    fn overlay(mut self, [width, height]: [u32; 2]) -> Option<HeatOverlay> {
+        self.end();
+        let columns = |y| (0..width).map(move |x| [x, y]);
+        let pixels = (0..height).flat_map(columns);
+        let values: Vec<Option<f64>> = pixels
+            .map(|pixel| self.known.get(&pixel).copied())
+            .collect();
+        let is_tested = values.iter().flatten().any(|tests| 0.0 < *tests);
+        is_tested.then(|| overlay(&values))
+    }
+}
+
+/// The picture and the heat map as far as a log has their pixels.
+pub(crate) fn of_log(
+    size: [u32; 2],
+    transport: Transport,
+    colours: &[([u32; 2], DVec3)],
+    heat: LogHeat,
+) -> Shown {
+    let [width, height] = size;
+    let heat = Some(heat).filter(|_| has_heat(transport));
     let all = width as usize * height as usize;
     let mut picture = vec![0; 4 * all];
     let mut known = vec![false; all];
@@ -122,7 +179,7 @@ pub(crate) fn of_log([width, height]: [u32; 2], colours: &[([u32; 2], DVec3)]) -
     };
     Shown {
         picture: Some(picture),
-        heat: None,
+        heat: heat.and_then(|heat| heat.overlay(size)),
         notes,
     }
 }

@@ -46,7 +46,7 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
     let known = mistake(&logged.name)
         .ok_or_else(|| FigureError::of_log(format!("there is no mistake {:?}", logged.name)))?;
 
-    let body = sheet.lines(body, &[known.sentence]);
+    let body = sheet.lines(body, &[prose(known.sentence)]);
     let rows: Vec<Row> = logged.spoilt.iter().take(MOST).map(Row::of).collect();
     let [x, y] = logged.pixel;
     let [width, height] = right.pixels;
@@ -145,6 +145,25 @@ fn draw_pictures(
     }
 }
 
+/// Words with quantities among them: what stands alone, has one letter or an index is set as a formula.
+fn prose(words: &str) -> Text {
+    let is_quantity = |word: &str| {
+        let letters = word.trim_matches([',', '.']);
+        word.contains('_') || (letters.chars().count() == 1 && !matches!(letters, "a" | "A" | "I"))
+    };
+    if !words.contains(' ') {
+        return formula(words);
+    }
+    let parts = words.split_inclusive(' ').map(|part| {
+        if is_quantity(part.trim_end()) {
+            formula(part)
+        } else {
+            part.into()
+        }
+    });
+    parts.fold(Text::default(), |text, part| text + part)
+}
+
 /// A quantity: its name, and both values.
 struct Row {
     name: Text,
@@ -164,7 +183,7 @@ impl Row {
             spoilt.quantity, values[0], values[1]
         );
         Self {
-            name: formula(&spoilt.quantity),
+            name: prose(&spoilt.quantity),
             values,
             sentence,
         }
@@ -216,5 +235,40 @@ fn draw_table(sheet: &mut Sheet, frame: Frame, of_pixel: &str, rows: &[Row]) {
         for (column, value) in (1..).zip(&row.values) {
             sheet.text(Anchor::Start, at(column, place), value.as_str());
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn italic(of: &str) -> String {
+        let runs = prose(of).runs.into_iter().filter(|run| run.italic);
+        runs.map(|run| run.letters).collect()
+    }
+
+    #[test]
+    fn quantities_in_a_sentence_are_set_as_such_and_articles_are_not() {
+        assert_eq!(italic("near of a slab"), "");
+        assert_eq!(italic("t of the root"), "t");
+        assert_eq!(italic("t of D_min is taken"), "tD");
+        assert_eq!(italic("N·L"), "NL");
+        assert_eq!(italic("b lacks its factor 2"), "b");
+    }
+
+    #[test]
+    fn two_values_have_as_many_digits_as_show_that_they_differ() {
+        let spoilt = |right: f64, wrong: f64| crate::trace::Spoilt {
+            quantity: "t".into(),
+            right: right.into(),
+            wrong: wrong.into(),
+        };
+        assert_eq!(Row::of(&spoilt(1.5, -2.25)).values, ["1.5", "−2.25"]);
+        assert_eq!(
+            Row::of(&spoilt(0.123_451, 0.123_456)).values,
+            ["0.123451", "0.123456"]
+        );
+        // counts are whole
+        assert_eq!(Row::of(&spoilt(43_130.0, 7.0)).values, ["43 130", "7"]);
     }
 }

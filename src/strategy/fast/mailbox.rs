@@ -44,11 +44,19 @@ impl Mailboxes {
         }
     }
 
-    // apart: few rays come here, and the walk stays small
-    #[inline(never)]
+    #[inline]
     fn is_first_of_others(&mut self, object: usize) -> bool {
-        let stamps = || Stamps::for_ray(self.objects);
-        self.others.get_or_insert_with(stamps).is_first(object)
+        match &mut self.others {
+            Some(stamps) => stamps.is_first(object),
+            None => self.open_others().is_first(object),
+        }
+    }
+
+    // apart: once for a ray at most, and the walk stays small
+    #[cold]
+    #[inline(never)]
+    fn open_others(&mut self) -> &mut Stamps {
+        self.others.insert(Stamps::for_ray(self.objects))
     }
 }
 
@@ -78,6 +86,7 @@ impl Stamps {
     }
 
     /// Is the object's stamp not yet that of the ray? It is from now on.
+    #[inline]
     fn is_first(&mut self, object: usize) -> bool {
         let stamp = &mut self.stamps[object];
         let first = *stamp != self.ray;

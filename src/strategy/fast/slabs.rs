@@ -26,32 +26,62 @@ impl<const N: usize> BothPlanes<N> {
     #[inline]
     pub(super) fn new(ray: &Ray, set: &SlabSet<N>, room: f64) -> Self {
         let s = set.products(ray.origin);
-        let t_scale = set.products(ray.direction).map(|product| -1.0 / product);
-        Self {
-            s_min: s.map(|s| s - room),
-            s_max: s.map(|s| s + room),
+        let products = set.products(ray.direction);
+        let mut planes = Self {
+            s_min: [0.0; N],
+            s_max: [0.0; N],
+            t_scale: [0.0; N],
+        };
+        for slab in 0..N {
+            planes.s_min[slab] = s[slab] - room;
+            planes.s_max[slab] = s[slab] + room;
             // a parallel ray is far beyond every other slab, or before it
-            t_scale: t_scale.map(|t| smaller(larger(t, -PARALLEL), PARALLEL)),
+            let t_scale = -1.0 / products[slab];
+            planes.t_scale[slab] = smaller(larger(t_scale, -PARALLEL), PARALLEL);
+        }
+        planes
+    }
+
+    /// t of the planes of a slab, the nearer one first.
+    #[inline]
+    fn between(&self, bound: &SlabBound<N>, slab: usize) -> Inside {
+        let at_min = (self.s_min[slab] + bound.d_min[slab]) * self.t_scale[slab];
+        let at_max = (self.s_max[slab] + bound.d_max[slab]) * self.t_scale[slab];
+        Inside {
+            near: smaller(at_min, at_max),
+            far: larger(at_min, at_max),
         }
     }
 
     /// Where is the ray inside the bound? Nowhere if near and far have crossed.
     ///
-    /// A parallel ray is inside its slab from some −10²⁰⁰ to 10²⁰⁰, or only beyond that. Whether near and far have
+    /// A parallel ray is inside its slab from some −10²⁰⁰ to 10²⁰⁰, or only beyond that. The first three slabs are
+    /// computed before any of them is joined to another: so the processor does two at once. Whether near and far have
     /// crossed is asked once, behind the third slab: a jump costs more than a slab.
     #[inline]
     pub(super) fn inside(&self, bound: &SlabBound<N>) -> Inside {
-        let Inside { mut near, mut far } = Inside::EVERYWHERE;
-        for slab in 0..N {
-            let at_min = (self.s_min[slab] + bound.d_min[slab]) * self.t_scale[slab];
-            let at_max = (self.s_max[slab] + bound.d_max[slab]) * self.t_scale[slab];
-            near = larger(near, smaller(at_min, at_max));
-            far = smaller(far, larger(at_min, at_max));
-            if slab + 1 == BOX && far < near {
-                break;
-            }
+        let (x, y, z) = (
+            self.between(bound, 0),
+            self.between(bound, 1),
+            self.between(bound, 2),
+        );
+        let mut inside = join(join(x, y), z);
+        if N == BOX || inside.is_empty() {
+            return inside;
         }
-        Inside { near, far }
+        for slab in BOX..N {
+            inside = join(inside, self.between(bound, slab));
+        }
+        inside
+    }
+}
+
+/// What two slabs have in common.
+#[inline]
+fn join(a: Inside, b: Inside) -> Inside {
+    Inside {
+        near: larger(a.near, b.near),
+        far: smaller(a.far, b.far),
     }
 }
 

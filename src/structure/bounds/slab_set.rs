@@ -110,14 +110,14 @@ impl<const N: usize> SlabSet<N> {
     /// A·x + B·y + C·z for each direction, and 0 for those that the set does not have.
     #[inline]
     pub(crate) fn products(&self, v: DVec3) -> [f64; N] {
+        let coordinates = v.to_array();
         let mut products = [0.0; N];
-        let mut first = 0;
-        if self.axes_first {
-            first = v.to_array().len().min(N);
-            products[..first].copy_from_slice(&v.to_array()[..first]);
-        }
-        for (product, normal) in products[first..].iter_mut().zip(&self.directions[first..]) {
-            *product = normal.dot(v);
+        for slab in 0..N {
+            products[slab] = if self.axes_first && slab < coordinates.len() {
+                coordinates[slab]
+            } else {
+                self.directions[slab].dot(v)
+            };
         }
         products
     }

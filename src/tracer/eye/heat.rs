@@ -59,6 +59,14 @@ pub struct HeatLine {
     open: Vec<u32>,
 }
 
+impl HeatLine {
+    /// The value of a pixel from its own eye rays, which are all of the line: their mean. `None` if there is none.
+    pub fn of_pixel(&self, of: HeatOf) -> Option<f64> {
+        let sum: f64 = self.heats.iter().map(|heat| of.value(heat)).sum();
+        (!self.heats.is_empty()).then(|| sum / self.heats.len() as f64)
+    }
+}
+
 impl Recorder for HeatLine {
     const ENABLED: bool = true;
 
@@ -138,6 +146,8 @@ mod tests {
         assert_eq!(means, [3.25, 6.75]);
         let own = heat_values(&lines, HeatOf::Tests, Through::Centres);
         assert_eq!(own, [0.0, 1.0, 2.0, 4.0, 8.0, 16.0]);
+        assert_eq!(lines[1].of_pixel(HeatOf::Tests), Some(28.0 / 3.0));
+        assert_eq!(HeatLine::default().of_pixel(HeatOf::Tests), None);
     }
 
     use crate::geometry::Ray;

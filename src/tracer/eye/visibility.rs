@@ -8,6 +8,7 @@ use crate::tracer::tracer::Tracer;
 
 impl<S: Strategy> Tracer<'_, S> {
     /// Is the range of a ray free of objects? Then it ends as `arrives` says, and otherwise it is blocked.
+    #[inline]
     pub(in crate::tracer) fn is_clear<R: Recorder>(
         &self,
         start: RayStart,
