@@ -119,7 +119,7 @@ fn dependency(raystep: Option<&str>) -> Result<Dependency, Error> {
     let absolute = folder.canonicalize().ok().filter(|_| is_source);
     let absolute = absolute.ok_or_else(|| Error::Exercise {
         what: format!("--raystep {raystep}: there is no Cargo.toml in this folder"),
-        fix: "give the folder of raystep's source, the address of a Git repository, or a version such as 0.1.0".into(),
+        fix: "give the folder of raystep's source, the address of a Git repository, or a version such as 0.2.0".into(),
     })?;
     Ok(Dependency::Path(absolute.display().to_string()))
 }
