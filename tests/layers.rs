@@ -49,7 +49,7 @@ const CORE: [&str; 12] = [
 /// Every crate that a layer may name, and which layers may; the command line may name any.
 const CRATES_OF: [(&str, &[&str]); 23] = [
     ("anstyle", &["explain"]),
-    ("base64", &["trace", "figure", "page"]),
+    ("base64", &["trace", "figure", "page", "lesson"]),
     ("flate2", &["page"]),
     ("font8x8", &["figure"]),
     (

@@ -39,4 +39,5 @@ mod transports;
 mod tui;
 mod watertight;
 mod worked_solution;
+mod worksheets;
 mod z_aligned;

@@ -8,14 +8,17 @@ use std::process::{Command, ExitCode, Stdio};
 
 use raystep::explain::Part;
 use raystep::lesson::exercise::{About, Exercise, Report, exercises};
-use raystep::lesson::{Dependency, course, course_files, grading_files, handout_files};
+use raystep::lesson::worksheet::worksheet;
+use raystep::lesson::{Dependency, course_files, grading_files, handout_files};
 
 use crate::cli::Error;
 use crate::cli::args::{LessonArgs, LessonVerb, ReportFormat};
+use crate::cli::course;
 use crate::cli::new_folder;
 use crate::cli::notes::note;
 use crate::cli::output::Output;
 use crate::cli::quiz::Quiz;
+use crate::cli::same_file::Taken;
 
 /// Does what is asked for.
 pub(crate) fn run(args: &LessonArgs) -> Result<ExitCode, Error> {
@@ -47,6 +50,13 @@ pub(crate) fn run(args: &LessonArgs) -> Result<ExitCode, Error> {
             };
             quiz.run()?;
         }
+        LessonVerb::Worksheet {
+            lesson,
+            seed,
+            answers,
+            out,
+            lessons,
+        } => sheet(*lesson, *seed, *answers, out, lessons.as_ref())?,
         LessonVerb::Check {
             lesson,
             exercise,
@@ -195,7 +205,7 @@ fn list() -> Result<String, Error> {
         "\n{right} of {} right when they were last checked",
         abouts().count()
     );
-    let mut lessons = course()?.lessons;
+    let mut lessons = raystep::lesson::course()?.lessons;
     lessons.retain(|of| !of.content.questions.is_empty());
     let questions: usize = lessons.iter().map(|of| of.content.questions.len()).sum();
     let _ = writeln!(
@@ -222,7 +232,7 @@ fn folder_of(lesson: u8) -> String {
 /// How many questions a lesson of the course has.
 fn questions(lesson: u8) -> Result<usize, Error> {
     let number = format!("{lesson:02}-");
-    let course = course()?;
+    let course = raystep::lesson::course()?;
     let mut lessons = course.lessons.iter();
     let found = lessons.find(|of| of.name.starts_with(&number));
     Ok(found.map_or(0, |of| of.content.questions.len()))
@@ -261,6 +271,21 @@ fn hint(about: &About, depth: u8) -> String {
         );
     }
     text
+}
+
+/// Writes a worksheet, or the key to it.
+fn sheet(
+    number: u8,
+    seed: u64,
+    answers: bool,
+    out: &Path,
+    lessons: Option<&PathBuf>,
+) -> Result<(), Error> {
+    let (library, _) = course::library(number, lessons)?;
+    let mut sheet = worksheet(&library, course::lesson(&library, number)?, seed)?;
+    sheet.draw(&library)?;
+    let text = sheet.markdown(answers);
+    Output::create(out, &Taken::nothing())?.write_whole(text.as_bytes())
 }
 
 /// Runs the checks of the course in this folder.

@@ -6,6 +6,7 @@ mod check;
 mod compare;
 mod completions;
 mod convert;
+mod course;
 mod error;
 mod figure;
 mod figures;

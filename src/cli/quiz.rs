@@ -5,12 +5,13 @@ use std::fmt::Write;
 use std::io::{self, BufRead, IsTerminal, Write as _};
 use std::path::PathBuf;
 
+use raystep::Page;
 use raystep::explain::render;
 use raystep::lesson::Lesson;
 use raystep::lesson::question::{Asked, Form, letter};
-use raystep::{Folder, Library, Page};
 
 use crate::cli::Error;
+use crate::cli::course;
 use crate::cli::output::Output;
 use crate::cli::step_command::{figure_command, step_command};
 
@@ -45,8 +46,8 @@ enum Typed {
 impl Quiz<'_> {
     /// Asks.
     pub(crate) fn run(&self) -> Result<(), Error> {
-        let (library, folder) = self.library()?;
-        let lesson = self.lesson_of(&library)?;
+        let (library, folder) = course::library(self.lesson, self.lessons)?;
+        let lesson = course::lesson(&library, self.lesson)?;
         let names = self.names(lesson)?;
         let mut input = Answers::new(self.script);
         let mut out = Output::standard();
@@ -83,44 +84,6 @@ impl Quiz<'_> {
         text.push('\n');
         say(&text, &mut out)?;
         out.finish()
-    }
-
-    /// The lessons, and the folder in which their scenes are.
-    fn library(&self) -> Result<(Library, PathBuf), Error> {
-        if let Some(folder) = self.lessons {
-            return Ok((Library::open(&Folder::new(folder))?, folder.clone()));
-        }
-        let number = format!("{:02}-", self.lesson);
-        let has_it = |folder: &str| {
-            let entries = std::fs::read_dir(folder).into_iter().flatten().flatten();
-            entries
-                .filter(|entry| entry.file_name().to_string_lossy().starts_with(&number))
-                .any(|entry| entry.path().join("lesson.json").is_file())
-        };
-        match [".", "lessons"].iter().find(|folder| has_it(folder)) {
-            Some(&".") => Ok((Library::open(&Folder::new("."))?, PathBuf::new())),
-            Some(folder) => Ok((Library::open(&Folder::new(*folder))?, folder.into())),
-            None => Ok((raystep::lesson::course()?, "course".into())),
-        }
-    }
-
-    fn lesson_of<'l>(&self, library: &'l Library) -> Result<&'l Lesson, Error> {
-        let number = format!("{:02}-", self.lesson);
-        let found = library
-            .lessons
-            .iter()
-            .find(|of| of.name.starts_with(&number));
-        found.ok_or_else(|| {
-            let with_questions = library
-                .lessons
-                .iter()
-                .filter(|of| !of.content.questions.is_empty());
-            let known: Vec<&str> = with_questions.map(|of| of.name.as_str()).collect();
-            Error::Exercise {
-                what: format!("there is no lesson {}", self.lesson),
-                fix: format!("the lessons are {}", known.join(", ")),
-            }
-        })
     }
 
     /// The names of the questions that are asked.

@@ -136,6 +136,10 @@ fn reads(verb: &Verb) -> Result<Vec<&Path>, String> {
             LessonVerb::Quiz { .. } => {
                 return Err("lesson quiz without --script waits for answers".into());
             }
+            LessonVerb::Worksheet { out, lessons, .. } => {
+                printed("lesson worksheet to", out)?;
+                lessons.iter().map(|path| &**path).collect()
+            }
             LessonVerb::Start { .. } | LessonVerb::Export { .. } => {
                 return Err("lesson start and lesson export write files".into());
             }

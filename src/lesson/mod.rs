@@ -15,6 +15,7 @@ mod start;
 mod step_figure;
 mod thumbnail;
 mod trace;
+pub mod worksheet;
 
 pub use compare::{compare, scan_lines_to_compare};
 pub use compare_transports::{NotCompared, compare_transports, light_of_lamps};

@@ -13,7 +13,9 @@ use clap::{Args as ClapArgs, Subcommand, ValueEnum};
   raystep lesson show 04
   raystep lesson quiz 04
   raystep lesson hint 04 roots
-  raystep lesson check 04 roots")]
+  raystep lesson check 04 roots
+  raystep lesson worksheet 12 --seed 7 -o sheet.md
+  raystep lesson worksheet 12 --seed 7 --answers -o key.md")]
 pub(crate) struct LessonArgs {
     /// What is to be done.
     #[command(subcommand)]
@@ -77,6 +79,23 @@ pub(crate) enum LessonVerb {
         #[arg(allow_hyphen_values = true)]
         script: Option<String>,
         /// Folder of the lessons [default: this folder, or lessons in it, or the course as it came]
+        #[arg(long, value_name = "DIR")]
+        lessons: Option<PathBuf>,
+    },
+    /// Write a worksheet: a lesson's questions with numbers of their own for each seed, as Markdown that prints.
+    Worksheet {
+        /// Number of the lesson, such as 12
+        lesson: u8,
+        /// What the numbers are drawn with: the same seed gives the same sheet
+        #[arg(long, value_name = "S")]
+        seed: u64,
+        /// Write the key: each answer with why the others are wrong, and the worked solution
+        #[arg(long)]
+        answers: bool,
+        /// The file
+        #[arg(short, long, value_name = "FILE", default_value = "-")]
+        out: PathBuf,
+        /// The folder of the lessons [default: lessons here, else those of the program]
         #[arg(long, value_name = "DIR")]
         lessons: Option<PathBuf>,
     },

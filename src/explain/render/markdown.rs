@@ -40,7 +40,7 @@ pub fn markdown(page: &Page, hint: Hint) -> String {
 }
 
 /// Text with a backslash before each character that could be a mark.
-fn escaped(text: &str) -> String {
+pub(crate) fn escaped(text: &str) -> String {
     let mut markdown = String::with_capacity(text.len());
     let mut before = None;
     let mut all_digits = true;

@@ -11,6 +11,7 @@ mod plain;
 pub use ansi::ansi;
 pub(crate) use html::escaped;
 pub use html::{STYLE, html, html_document};
+pub(crate) use markdown::escaped as escaped_markdown;
 pub use markdown::markdown;
 pub use plain::plain;
 

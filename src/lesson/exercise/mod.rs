@@ -35,6 +35,7 @@ pub use course::exercises;
 pub use message::{Commands, MOST_LINES, message};
 pub use outcome::{CaseSaid, Compared, Divergence, Outcome};
 pub use report::{Report, junit};
+pub(in crate::lesson) use seeded::Seeded;
 pub use seeded::Seeds;
 pub use task::{Attempt, Case, Exercise, Form, Task};
 pub use value::Value;

@@ -39,15 +39,20 @@ impl Seeds {
 
 /// A stream of numbers, after G. Steele, D. Lea and C. Flood, *Fast splittable pseudorandom number generators* (2014).
 #[derive(Clone, Debug)]
-pub(super) struct Seeded(u64);
+pub(in crate::lesson) struct Seeded(u64);
 
 impl Seeded {
-    pub(super) fn new(seed: u64) -> Self {
+    pub(in crate::lesson) fn new(seed: u64) -> Self {
         Self(seed)
     }
 
+    /// A stream of its own for each name and each number.
+    pub(in crate::lesson) fn of(name: &str, number: u64) -> Self {
+        Self(keyed_hash([number, 0], name.as_bytes()))
+    }
+
     /// In [0, 1).
-    pub(super) fn number(&mut self) -> f64 {
+    pub(in crate::lesson) fn number(&mut self) -> f64 {
         self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
         let mut z = self.0;
         z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
@@ -57,17 +62,17 @@ impl Seeded {
         (z >> 11) as f64 / (1_u64 << 53) as f64
     }
 
-    pub(super) fn within(&mut self, low: f64, high: f64) -> f64 {
+    pub(in crate::lesson) fn within(&mut self, low: f64, high: f64) -> f64 {
         low + (high - low) * self.number()
     }
 
     /// A whole number below another.
-    pub(super) fn below(&mut self, end: u32) -> u32 {
+    pub(in crate::lesson) fn below(&mut self, end: u32) -> u32 {
         (self.number() * f64::from(end)) as u32
     }
 
     /// Each coordinate in [−size, size).
-    pub(super) fn point(&mut self, size: f64) -> DVec3 {
+    pub(in crate::lesson) fn point(&mut self, size: f64) -> DVec3 {
         DVec3::new(
             self.within(-size, size),
             self.within(-size, size),
@@ -76,7 +81,7 @@ impl Seeded {
     }
 
     /// A unit vector.
-    pub(super) fn direction(&mut self) -> DVec3 {
+    pub(in crate::lesson) fn direction(&mut self) -> DVec3 {
         loop {
             let point = self.point(1.0);
             let length = point.length();

@@ -38,3 +38,4 @@ pub use spec::{
     QuestionSpec, Reason, Selector, Step, Vary, WrongNumber,
 };
 pub use traced::TracedPixel;
+pub(in crate::lesson) use traced::edited;

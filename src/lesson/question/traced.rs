@@ -66,6 +66,11 @@ impl TracedPixel {
         })
     }
 
+    /// The scene's file, as JSON.
+    pub fn file(&self) -> &Value {
+        &self.file
+    }
+
     /// Every pixel of the picture, traced the same way one after the other, in rows from the top.
     pub(super) fn each_pixel(
         &self,
@@ -217,7 +222,7 @@ pub(super) fn chosen_one(
 }
 
 /// Scene values changed by their JSON pointers.
-pub(super) fn edited(
+pub(in crate::lesson) fn edited(
     loaded: &Loaded,
     change: &BTreeMap<String, Value>,
 ) -> Result<Loaded, (String, String)> {
