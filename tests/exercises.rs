@@ -33,7 +33,8 @@ fn folders() -> Vec<PathBuf> {
         .unwrap()
         .map(|entry| entry.unwrap().path());
     let mut folders: Vec<_> = entries
-        .filter(|path| path.join("lesson.json").exists())
+        // a folder without exercises, such as the gallery of mistakes, is no lesson of the course
+        .filter(|path| path.join("lesson.json").exists() && path.join("exercise.rs").exists())
         .collect();
     folders.sort();
     folders

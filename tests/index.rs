@@ -11,12 +11,13 @@ use crate::layers::sources;
 const WITHOUT_FIGURE: usize = 0;
 
 /// A row: where the slides have the subject, and where the project has it.
-struct Row {
-    subject: String,
+pub(crate) struct Row {
+    pub(crate) slide: String,
+    pub(crate) subject: String,
     file: String,
     item: String,
     test: String,
-    figure: Option<String>,
+    pub(crate) figure: Option<String>,
 }
 
 fn root() -> &'static Path {
@@ -29,7 +30,7 @@ fn bare(cell: &str) -> String {
 }
 
 /// The rows of the table under the heading "Index of subjects".
-fn rows() -> Vec<Row> {
+pub(crate) fn rows() -> Vec<Row> {
     let text = fs::read_to_string(root().join("ARCHITECTURE.md")).unwrap();
     let (_, after) = text.split_once("## Index of subjects").unwrap();
     let table = after.lines().skip_while(|line| !line.starts_with('|'));
@@ -41,6 +42,7 @@ fn rows() -> Vec<Row> {
             .unwrap_or_else(|_| panic!("six cells: {line}"));
         assert!(!slide.is_empty(), "{line}");
         Row {
+            slide,
             subject,
             file,
             item,

@@ -9,6 +9,7 @@ mod check;
 mod cli;
 mod compare;
 mod course;
+mod course_book;
 mod exact;
 mod exercises;
 mod figure_coordinates;

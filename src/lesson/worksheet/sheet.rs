@@ -6,7 +6,7 @@ use crate::figure::{FigureKind, Rendition, UpTo, Width};
 use crate::lesson::exercise::Seeded;
 use crate::lesson::question::{Asked, Form, QuestionSpec, edited};
 use crate::lesson::worksheet::skeleton::skeleton;
-use crate::lesson::worksheet::vary::{Varied, can_vary, draw};
+use crate::lesson::worksheet::vary::{Varied, can_vary, draw, moved};
 use crate::lesson::{FigureName, Lesson, LessonError, Library};
 
 /// A sheet of questions.
@@ -138,6 +138,10 @@ fn varied(
         let is_sound = spec.vary.is_some()
             || (has_same_right(&asked, &own) && skeleton(&asked.traced) == skeleton_of_own);
         if is_sound && shows_other_numbers(&asked, &own) && is_no_shorter(&asked, &own) {
+            let (varied, asked) = match spec.vary {
+                Some(_) => moved_too(library, lesson, (varied, asked), random),
+                None => (varied, asked),
+            };
             return Ok(Some(Item {
                 asked,
                 is_varied: true,
@@ -156,6 +160,29 @@ fn is_no_shorter(asked: &Asked, own: &Asked) -> bool {
         (Form::Order(asked), Form::Order(own)) => own.order.len().min(3) <= asked.order.len(),
         _ => true,
     }
+}
+
+/// A question whose pixel varies has few others: its scene moves a little too, if its trace keeps its skeleton.
+fn moved_too(
+    library: &Library,
+    lesson: &Lesson,
+    (varied, asked): (Varied, Asked),
+    random: &mut Seeded,
+) -> (Varied, Asked) {
+    let before = skeleton(&asked.traced);
+    for _ in 0..TRIES {
+        let mut more = varied.clone();
+        for (pointer, value) in moved(asked.traced.file(), random) {
+            more.values.entry(pointer).or_insert(value);
+        }
+        if let Ok(other) = library.ask_varied(lesson, &more.spec, &more.values)
+            && has_same_right(&other, &asked)
+            && skeleton(&other.traced) == before
+        {
+            return (more, other);
+        }
+    }
+    (varied, asked)
 }
 
 /// Are the same choices right? Their reasons are then the ones that the lesson's author has written for it.

@@ -54,7 +54,7 @@ const MOST_MOVED: u32 = 3;
 const MOST_STEPS: u32 = 4;
 
 /// A few numbers of the scene, each a little larger or smaller.
-fn moved(scene: &Value, random: &mut Seeded) -> BTreeMap<String, Value> {
+pub(super) fn moved(scene: &Value, random: &mut Seeded) -> BTreeMap<String, Value> {
     let mut numbers = Vec::new();
     numbers_of(scene, String::new(), &mut numbers);
     let mut moved = BTreeMap::new();
@@ -83,8 +83,9 @@ fn rounded(value: f64) -> Value {
 fn numbers_of(value: &Value, pointer: String, found: &mut Vec<(String, f64)>) {
     /// What is moved as a whole, coordinate by coordinate, keeps its shape. A polygon whose vertices were moved one by one would
     /// be bent.
-    const KEYS: [&str; 7] = [
+    const KEYS: [&str; 8] = [
         "/cop",
+        "/corner",
         "/position",
         "/center",
         "/radius",
