@@ -43,15 +43,18 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
         )
     });
     let sentences: Vec<String> = sentences.collect();
-    let stages: Vec<_> = walks
-        .iter()
-        .zip(&sentences)
-        .map(|((ray, walk), sentence)| {
-            let [nx, ny, nz] = walk.grid.resolution;
-            let last = ray.events.last().map(|record| record.step);
-            sheet.stage(format!("{nx} × {ny} × {nz} cells"), last, sentence.as_str())
-        })
-        .collect();
+    // each grid has a log of its own, so a later one may need fewer steps; a stage shows all grids up to its own
+    let mut needs = None;
+    let mut stages = Vec::new();
+    for ((ray, walk), sentence) in walks.iter().zip(&sentences) {
+        let [nx, ny, nz] = walk.grid.resolution;
+        needs = needs.max(ray.events.last().map(|record| record.step));
+        stages.push(sheet.stage(
+            format!("{nx} × {ny} × {nz} cells"),
+            needs,
+            sentence.as_str(),
+        ));
+    }
     let entries = [
         (stages.first().copied(), EMPTY, "visited"),
         (stages.first().copied(), Look::REJECTED, "tested and missed"),
