@@ -43,9 +43,9 @@ pub(super) struct FilterFace {
     /// The values of a key, by event.
     columns: Vec<Column>,
     /// The step to stand at for an event: the distance from its leaf.
-    landing: Vec<i64>,
+    landing: Vec<isize>,
     /// The largest step that an event leads: the distance from its leaf.
-    led: Vec<i64>,
+    led: Vec<isize>,
 }
 
 #[derive(Debug, Serialize)]
@@ -54,7 +54,7 @@ struct Column {
     /// Each value once, without quotation marks and brackets; the first stands for none.
     values: Vec<String>,
     /// The place of each event's value among them: the distance from that of the event before.
-    places: Vec<i64>,
+    places: Vec<isize>,
 }
 
 impl FilterFace {
@@ -84,7 +84,8 @@ impl FilterFace {
         };
         let columns = FILTER_KEYS.into_iter().map(column);
         let events = 0..log.records.len();
-        let from_leaf = |event: usize, step: usize| step as i64 - log.leaf(event) as i64;
+        let from_leaf =
+            |event: usize, step: usize| step.cast_signed() - log.leaf(event).cast_signed();
         Self {
             columns: columns.filter(|column| 1 < column.values.len()).collect(),
             landing: events

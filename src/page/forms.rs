@@ -57,10 +57,10 @@ impl Forms {
 
 /// Numbers as a page has them: each as the distance from the one before, the first from 0. Most are 1, which takes next to no
 /// room.
-pub(super) fn distances(numbers: impl Iterator<Item = usize>) -> Vec<i64> {
+pub(super) fn distances(numbers: impl Iterator<Item = usize>) -> Vec<isize> {
     let mut before = 0;
     numbers
-        .map(|number| number as i64 - std::mem::replace(&mut before, number as i64))
+        .map(|number| number.cast_signed() - std::mem::replace(&mut before, number).cast_signed())
         .collect()
 }
 

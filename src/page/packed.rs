@@ -55,9 +55,9 @@ struct Head<'a> {
     /// The first section and the one behind the last, among the steps.
     tops: [usize; 2],
     /// The leaf of each event: the distance from that of the event before.
-    leaves: Vec<i64>,
+    leaves: Vec<isize>,
     /// Of each grain its steps, in the order of the log, each as the distance from the one before.
-    walks: Vec<Vec<i64>>,
+    walks: Vec<Vec<isize>>,
     /// What each event changed.
     changes: Vec<Vec<ChangeFace>>,
     /// The words by which a reader asks who set a value, each with the names of its quantities in `changes`.
@@ -74,7 +74,7 @@ struct SectionFace {
     /// The place of its first event.
     first: usize,
     /// The steps of its events, each as the distance from the one before.
-    steps: Vec<i64>,
+    steps: Vec<isize>,
 }
 
 /// A quantity with its new value.
