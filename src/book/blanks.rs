@@ -1,5 +1,6 @@
 //! `{{#raystep-blanks NAME}}`: the worked solution of a pixel with some of its results taken out, to be worked out by hand.
 
+use std::fmt::Write;
 use std::ops::Range;
 
 use crate::explain::Tone;
@@ -49,11 +50,11 @@ pub(super) fn blanks(mut page: Page, count: u32) -> Result<String, String> {
         }
         answers.push(answer);
     }
-    let items: String = answers
-        .iter()
-        .enumerate()
-        .map(|(at, answer)| format!("<li>[{}] is {}</li>", at + 1, escaped(answer)))
-        .collect();
+    let mut items = String::new();
+    for (at, answer) in answers.iter().enumerate() {
+        // writing into a String does not fail
+        let _ = write!(items, "<li>[{}] is {}</li>", at + 1, escaped(answer));
+    }
     Ok(format!(
         "<div class=\"raystep-blanks\">{}<details><summary>Answers</summary><ul>{items}</ul></details></div>",
         html(&page, no_hint)

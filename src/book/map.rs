@@ -78,7 +78,7 @@ pub(super) fn map(
         "Kind of event",
         "Exercise",
     ];
-    let head: String = head.iter().map(|name| format!("<th>{name}</th>")).collect();
+    let head = head.map(|name| ["<th>", name, "</th>"].concat()).concat();
     Ok(format!(
         "<div class=\"table-wrapper\"><table class=\"raystep-map\"><thead><tr>{head}</tr></thead><tbody>{body}</tbody></table></div>"
     ))
@@ -162,10 +162,7 @@ fn row_of(row: &Row, from: &str, library: &Library, places: &Places) -> Result<S
         kind,
         exercise,
     ];
-    let cells: String = cells
-        .iter()
-        .map(|cell| format!("<td>{cell}</td>"))
-        .collect();
+    let cells = cells.map(|cell| ["<td>", &cell, "</td>"].concat()).concat();
     Ok(format!("<tr>{cells}</tr>"))
 }
 

@@ -2,6 +2,7 @@
 //! the page; all questions; all answers.
 
 use std::collections::HashMap;
+use std::fmt::Write;
 
 use crate::book::html::prose;
 use crate::book::places::{Places, answer_id, figure_id, link, question_id};
@@ -65,12 +66,13 @@ impl<'a> Questions<'a> {
         {
             let id = format!("{}_figure", figure_id(shown, figure));
             let to = link(chapter, shown, &id);
-            look.push_str(&format!(" or <a href=\"{}\">the figure</a>", escaped(&to)));
+            // writing into a String does not fail
+            let _ = write!(look, " or <a href=\"{}\">the figure</a>", escaped(&to));
         }
         look.push('.');
         if let Some(answers) = places.answers() {
             let to = link(chapter, answers, &answer_id(name));
-            look.push_str(&format!(" <a href=\"{}\">All answers</a>", escaped(&to)));
+            let _ = write!(look, " <a href=\"{}\">All answers</a>", escaped(&to));
         }
         Ok(shown(asked, name, id, &look, quiz))
     }

@@ -36,6 +36,7 @@ const MOST_PATHS: u32 = 10_000;
 ///
 /// # Errors
 /// A scene that makes no sense, or a specification that does not fit it.
+#[expect(clippy::too_many_lines, reason = "one step of tracing after the other")]
 pub fn trace_figure(
     mut loaded: Loaded,
     name: &str,
@@ -130,12 +131,12 @@ pub fn trace_figure(
         of_pixels.totals = match (spec.kind, transport) {
             (FigureKind::Sum, _) => Some(tests_of_some(&tracer, spec.every())),
             (FigureKind::Transports, _) => Some(rays_of_all(
-                light_of_lamps(scene.clone()),
+                &light_of_lamps(scene.clone()),
                 &chosen,
                 &settings,
             )),
             (FigureKind::Paths, Transport::Forward) => {
-                Some(rays_of_all(scene.clone(), &chosen, &settings))
+                Some(rays_of_all(&scene, &chosen, &settings))
             }
             _ => None,
         }
@@ -260,11 +261,11 @@ fn tests_of_some<S: Strategy>(tracer: &Tracer<'_, S>, every: u32) -> Result<Tota
 
 /// The rays of the whole picture, with those of paths of light.
 fn rays_of_all<S: Strategy>(
-    scene: Scene,
+    scene: &Scene,
     strategy: &S,
     settings: &Settings,
 ) -> Result<Totals, Stopped> {
-    let (counts, rays) = rays_of_picture(&scene, strategy, settings)?;
+    let (counts, rays) = rays_of_picture(scene, strategy, settings)?;
     let [width, height] = scene.camera.pixels.map(u64::from);
     Ok(Totals {
         every: 1,

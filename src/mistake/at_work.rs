@@ -85,7 +85,7 @@ impl AtWork {
     }
 
     /// Searches the structure, if the mistake has one.
-    fn searched(&self, scene: &Scene, ray: &Ray, range: TRange) -> Option<Option<Hit>> {
+    fn searched(&self, scene: &Scene, ray: &Ray, range: TRange) -> Option<Nearest> {
         let structure = self.structure.as_ref()?;
         let Searched {
             hit,
@@ -97,9 +97,12 @@ impl AtWork {
         self.counts
             .set([tests_before + tests, cells_before + cells]);
         self.note(|| spoilt);
-        Some(hit)
+        Some(Nearest(hit))
     }
 }
+
+/// What the search of a structure found, if anything.
+struct Nearest(Option<Hit>);
 
 impl Parts for AtWork {
     fn window_point(&self, camera: &Camera, x: f64, y: f64) -> DVec3 {
@@ -124,7 +127,7 @@ impl Parts for AtWork {
     }
 
     fn nearest(&self, scene: &Scene, ray: &Ray, range: TRange) -> Option<Hit> {
-        if let Some(hit) = self.searched(scene, ray, range) {
+        if let Some(Nearest(hit)) = self.searched(scene, ray, range) {
             return hit;
         }
         let Some(Wrong::Nearest(wrong)) = self.wrong else {
@@ -140,7 +143,7 @@ impl Parts for AtWork {
             let both = [&right, &wrong];
             vec![
                 pair("nearest object", both, name),
-                pair("nearest t", both, |hit| t_or_none(&hit.map(|hit| hit.t))),
+                pair("nearest t", both, |hit| t_or_none(hit.map(|hit| hit.t))),
             ]
         });
         wrong
@@ -153,7 +156,7 @@ impl Parts for AtWork {
         let wrong = wrong(primitive, ray, range);
         self.note(|| {
             let right = Own.hit(primitive, ray, range);
-            vec![pair("t of the hit", [&right, &wrong], t_or_none)]
+            vec![pair("t of the hit", [&right, &wrong], |t| t_or_none(*t))]
         });
         wrong
     }
@@ -167,7 +170,7 @@ impl Parts for AtWork {
                     vec![pair(
                         "t of the root",
                         [&right.roots.chosen(), &wrong],
-                        t_or_none,
+                        |t| t_or_none(*t),
                     )]
                 });
                 wrong
@@ -179,7 +182,7 @@ impl Parts for AtWork {
                     vec![
                         pair("b", both, |of| of.b),
                         pair("number of roots", both, |of| of.roots.iter().count() as f64),
-                        pair("t of the root", both, |of| t_or_none(&of.roots.chosen())),
+                        pair("t of the root", both, |of| t_or_none(of.roots.chosen())),
                     ]
                 });
                 wrong.roots.chosen()
@@ -194,7 +197,7 @@ impl Parts for AtWork {
             return right;
         };
         let wrong = wrong(polygon, ray, range, sides);
-        self.note(|| vec![pair("t of the plane", [&right, &wrong], t_or_none)]);
+        self.note(|| vec![pair("t of the plane", [&right, &wrong], |t| t_or_none(*t))]);
         wrong
     }
 
@@ -258,7 +261,7 @@ impl Parts for AtWork {
     }
 
     fn blocked(&self, scene: &Scene, ray: &Ray, range: TRange) -> bool {
-        if let Some(hit) = self.searched(scene, ray, range) {
+        if let Some(Nearest(hit)) = self.searched(scene, ray, range) {
             return hit.is_some();
         }
         let Some(Wrong::Blocked(wrong)) = self.wrong else {

@@ -122,7 +122,7 @@ impl Search<'_> {
     }
 }
 
-fn verdict_word(of: &BoundVerdict) -> &'static str {
+fn verdict_word(of: BoundVerdict) -> &'static str {
     match of {
         BoundVerdict::Hit => "hit",
         BoundVerdict::Missed => "missed",
@@ -178,7 +178,9 @@ fn by_bounds(search: &mut Search, bounds: &[SlabBound<7>], wrong: Option<&Wrong>
             _ => right,
         };
         if (verdict == BoundVerdict::Hit) != (right == BoundVerdict::Hit) {
-            search.note(vec![pair("bound", [&right, &verdict], verdict_word)]);
+            search.note(vec![pair("bound", [&right, &verdict], |of| {
+                verdict_word(*of)
+            })]);
         }
         if verdict == BoundVerdict::Hit {
             search.test(object);

@@ -31,7 +31,7 @@ pub(super) fn differ(right: &SpoiltValue, wrong: &SpoiltValue) -> bool {
 }
 
 /// t, or that there is none.
-pub(super) fn t_or_none(t: &Option<f64>) -> SpoiltValue {
+pub(super) fn t_or_none(t: Option<f64>) -> SpoiltValue {
     t.map_or_else(|| "no hit".into(), SpoiltValue::from)
 }
 
@@ -55,6 +55,6 @@ mod tests {
         assert!(of(2.0, f64::NAN) && !of(f64::INFINITY, f64::INFINITY));
         let x: SpoiltValue = DVec3::X.into();
         assert!(differ(&x, &DVec3::NEG_X.into()) && !differ(&x, &DVec3::X.into()));
-        assert!(differ(&t_or_none(&None), &t_or_none(&Some(1.0))));
+        assert!(differ(&t_or_none(None), &t_or_none(Some(1.0))));
     }
 }

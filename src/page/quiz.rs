@@ -66,12 +66,11 @@ pub fn quiz(quiz: &Quiz) -> String {
         let _ = write!(html, "<div class=\"raystep-line\">{}</div>", escaped(line));
     }
     if !quiz.choices.is_empty() {
-        let items: String = quiz
-            .choices
-            .iter()
-            .map(|choice| format!("<li>{}</li>", escaped(choice)))
-            .collect();
-        let _ = write!(html, "<ol type=\"a\">{items}</ol>");
+        html.push_str("<ol type=\"a\">");
+        for choice in &quiz.choices {
+            let _ = write!(html, "<li>{}</li>", escaped(choice));
+        }
+        html.push_str("</ol>");
     }
     let _ = write!(
         html,

@@ -120,14 +120,13 @@ fn end_of(text: &str, start: usize) -> usize {
         match byte {
             b'"' => in_text = true,
             b'{' | b'[' => depth += 1,
-            b'}' | b']' if depth == 0 => return at,
+            b'}' | b']' | b',' | b':' if depth == 0 => return at,
             b'}' | b']' => {
                 depth -= 1;
                 if depth == 0 {
                     return at + 1;
                 }
             }
-            b',' | b':' if depth == 0 => return at,
             _ if depth == 0 && byte.is_ascii_whitespace() => return at,
             _ => {}
         }

@@ -146,7 +146,7 @@ impl<'a> Scan<'a> {
                         .get(at + 1)
                         .is_some_and(|token| token.is == Is::Text) =>
                 {
-                    at += 2
+                    at += 2;
                 }
                 "extern" if next == "fn" => at += 1,
                 _ => break,
@@ -156,7 +156,7 @@ impl<'a> Scan<'a> {
         match self.word(at) {
             "fn" | "struct" | "enum" | "union" | "trait" if !name.is_empty() => {
                 let (end, body) = self.to_block(at);
-                let names = self.names(module, of, name);
+                let names = Self::names(module, of, name);
                 if self.word(at) == "trait" {
                     let around = [format!("{module}{name}")];
                     self.members(body, module, &around, found);
@@ -186,7 +186,7 @@ impl<'a> Scan<'a> {
                 } else {
                     name
                 };
-                self.push(self.names(module, of, name), start, end, found);
+                self.push(Self::names(module, of, name), start, end, found);
                 end
             }
             "use" | "extern" | "let" => self.to_semicolon(at),
@@ -216,7 +216,7 @@ impl<'a> Scan<'a> {
     }
 
     /// The names of an item in an impl or a trait, or else in a module.
-    fn names(&self, module: &str, of: &[String], name: &str) -> Vec<String> {
+    fn names(module: &str, of: &[String], name: &str) -> Vec<String> {
         if of.is_empty() {
             return vec![format!("{module}{name}")];
         }
@@ -380,7 +380,7 @@ fn spaced(name: &str) -> String {
 mod tests {
     use super::*;
 
-    const TEXT: &str = r##"//! Module doc with fn nothing() {}.
+    const TEXT: &str = r#"//! Module doc with fn nothing() {}.
 #![allow(x)]
 use a::{b, c};
 
@@ -431,7 +431,7 @@ pub unsafe extern "C" fn two() {}
 mod tests {
     fn one() {}
 }
-"##;
+"#;
 
     #[test]
     fn an_item_is_shown_as_it_stands_without_its_doc_comment() {

@@ -66,6 +66,7 @@ struct Running {
     stage: StageId,
 }
 
+#[expect(clippy::too_many_lines, reason = "the drawing from top to bottom")]
 fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, FigureError> {
     let [x, y] = figure.pixel()?;
     let records = figure.records()?;
@@ -159,7 +160,7 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
     scenery::objects(figure, sheet, &space, |_| Look::OBJECT);
     scenery::names(figure, sheet, &space);
     sheet.at(window, |sheet| {
-        scenery::camera_and_lights(figure, sheet, &space)
+        scenery::camera_and_lights(figure, sheet, &space);
     });
     the_ray(sheet, &space, &start.ray, ray);
     for (test, stage) in tested.iter().zip(&tests) {
@@ -179,7 +180,7 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
     }
     if let Some(t) = drawn.node.end.and_then(|end| end.t) {
         sheet.at(set, |sheet| {
-            sheet.dot(Look::ANSWER, space.place(start.ray.at(t)))
+            sheet.dot(Look::ANSWER, space.place(start.ray.at(t)));
         });
     }
     colour(figure, sheet, &space, records, [pixel, set]);

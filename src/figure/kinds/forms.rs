@@ -198,7 +198,7 @@ fn axis(sheet: &mut Sheet, frame: Frame, forms: &[Form; 3], first: StageId, stag
     let names = forms.iter().map(|form| sheet.width_of(form.name));
     let left = frame.min.x + names.fold(0.0, f64::max) + sheet.letters;
     let right = frame.max.x - sheet.letters;
-    let all = forms.iter().flat_map(|form| form.roots).flatten();
+    let all = forms.iter().filter_map(|form| form.roots).flatten();
     let most = all.fold(0.0, f64::max);
     let x = |t: f64| left + (right - left) * t / (1.15 * most);
     let row = |number: usize| frame.min.y + (number as f64 + 0.6) * line;

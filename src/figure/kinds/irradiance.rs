@@ -238,7 +238,7 @@ fn around_the_map(figure: &Figure, sheet: &mut Sheet, (whole, room): (Frame, Fra
     for light in &figure.scene.lights {
         if let Some(at) = place(light.position) {
             sheet.circle(Look::LIGHT_RAY, at, 5.0 * sheet.unit());
-            sheet.label(room, at, DVec2::NEG_Y, light.name.to_string());
+            sheet.label(room, at, DVec2::NEG_Y, light.name.as_str());
         }
     }
 }

@@ -30,6 +30,7 @@ const LINE: &str = "one cell per column";
 /// A cell that the line leaves out.
 const SKIPPED: Look = Look::REJECTED.wide(2.0);
 
+#[expect(clippy::too_many_lines, reason = "the drawing from left to right")]
 fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, FigureError> {
     let ray = figure.ray()?;
     let walk = Walk::of(&ray, figure.scene)?;

@@ -256,9 +256,10 @@ fn one(
 }
 
 fn in_brackets(number: &str) -> String {
-    match number.starts_with('−') {
-        true => format!("({number})"),
-        false => number.into(),
+    if number.starts_with('−') {
+        format!("({number})")
+    } else {
+        number.into()
     }
 }
 

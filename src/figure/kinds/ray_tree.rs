@@ -39,7 +39,7 @@ const MOST: usize = 12;
 
 /// A node of the drawn tree.
 struct Node<'a> {
-    node: &'a RayNode,
+    ray: &'a RayNode,
     purpose: Purpose,
     verdict: RayVerdict,
     /// The shade where it hits something.
@@ -77,7 +77,7 @@ impl Node<'_> {
 
     /// What it comes to.
     fn end(&self, figure: &Figure) -> String {
-        let object = self.node.end.and_then(|end| end.object);
+        let object = self.ray.end.and_then(|end| end.object);
         let name = object.map_or_else(String::new, |id| scenery::name_of(figure.scene, id));
         match self.verdict {
             RayVerdict::Hit => format!("hits {name}"),
@@ -91,9 +91,9 @@ impl Node<'_> {
     }
 
     fn sentence(&self, figure: &Figure) -> String {
-        let id = self.node.id;
+        let id = self.ray.id;
         let end = self.end(figure);
-        let blocked_by = self.node.end.and_then(|end| end.object);
+        let blocked_by = self.ray.end.and_then(|end| end.object);
         let end = match (self.verdict, blocked_by) {
             (RayVerdict::Blocked, Some(by)) => {
                 format!("is blocked by {}", scenery::name_of(figure.scene, by))
@@ -140,7 +140,7 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
         .into_iter()
         .map(|(node, step)| {
             let name = node.what();
-            (node.node.id, sheet.stage(name, step, node.sentence(figure)))
+            (node.ray.id, sheet.stage(name, step, node.sentence(figure)))
         })
         .collect();
     let sum = sum_of(&nodes, records, sheet.width);
@@ -166,7 +166,7 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
     };
     let [left, right] = body.split(share, sheet.letters);
     let mut points = scenery::points_of(figure);
-    points.extend(nodes.iter().filter_map(|of| Some(ends(of.node)?[1])));
+    points.extend(nodes.iter().filter_map(|of| Some(ends(of.ray)?[1])));
     let space = figure.space(left, points);
     in_scene(figure, sheet, &space, &nodes, &stages);
     as_tree(figure, sheet, right, &nodes, &stages);
@@ -194,7 +194,7 @@ fn nodes<'a>(records: &[Record], tree: &'a RayTree) -> Vec<Node<'a>> {
             continue;
         };
         let shade = shade_of(records, node);
-        let above = nodes.iter().find(|of| Some(of.node.id) == node.parent);
+        let above = nodes.iter().find(|of| Some(of.ray.id) == node.parent);
         let weight = above.and_then(|above| {
             let shade = above.shade?;
             match start.purpose {
@@ -217,7 +217,7 @@ fn nodes<'a>(records: &[Record], tree: &'a RayTree) -> Vec<Node<'a>> {
             _ => ends,
         };
         nodes.push(Node {
-            node,
+            ray: node,
             purpose: start.purpose,
             verdict: end.verdict,
             shade,
@@ -228,9 +228,9 @@ fn nodes<'a>(records: &[Record], tree: &'a RayTree) -> Vec<Node<'a>> {
         });
     }
     // the leaves beside each other, each other node over the middle of those below it
-    let parents: Vec<Option<u32>> = nodes.iter().map(|of| of.node.parent).collect();
+    let parents: Vec<Option<u32>> = nodes.iter().map(|of| of.ray.parent).collect();
     for place in (0..nodes.len()).rev() {
-        let id = nodes[place].node.id;
+        let id = nodes[place].ray.id;
         let below: Vec<f64> = (0..nodes.len())
             .filter(|of| parents[*of] == Some(id))
             .map(|of| nodes[of].across)
@@ -283,9 +283,9 @@ fn in_scene(
         .iter()
         .filter(|of| of.verdict != RayVerdict::DepthLimit)
     {
-        let Some(start) = of.node.start else { continue };
+        let Some(start) = of.ray.start else { continue };
         let from = space.place(start.ray.origin);
-        let (to, is_open) = match ends(of.node) {
+        let (to, is_open) = match ends(of.ray) {
             Some([_, to]) => (space.place(to), false),
             None => {
                 let edge = space.leaves(&start.ray).unwrap_or(0.0);
@@ -294,7 +294,7 @@ fn in_scene(
         };
         let half = from.lerp(to, 0.55);
         let across = (to - from).perp().normalize_or_zero();
-        sheet.at(stages[&of.node.id], |sheet| {
+        sheet.at(stages[&of.ray.id], |sheet| {
             sheet.arrow(of.look(), from, half);
             if is_open {
                 sheet.arrow(of.look(), half, to);
@@ -306,7 +306,7 @@ fn in_scene(
                 RayVerdict::Hit => sheet.dot(Look::RAY, to),
                 _ => {}
             }
-            let text = of.node.id.to_string();
+            let text = of.ray.id.to_string();
             sheet.label(space.frame, from.lerp(to, 0.4), across, text);
         });
     }
@@ -341,9 +341,9 @@ fn as_tree(
         )
     };
     for node in nodes {
-        let stage = stages[&node.node.id];
+        let stage = stages[&node.ray.id];
         let place = at(node);
-        let above = nodes.iter().find(|of| Some(of.node.id) == node.node.parent);
+        let above = nodes.iter().find(|of| Some(of.ray.id) == node.ray.parent);
         sheet.at(stage, |sheet| {
             if let Some(above) = above {
                 let edge = DVec2::new(0.0, 0.5 * high_of_node);
@@ -356,7 +356,7 @@ fn as_tree(
                     sheet.label(frame, from.lerp(to, 0.5), aside, text);
                 }
             }
-            let first = format!("{} {}", node.node.id, node.what());
+            let first = format!("{} {}", node.ray.id, node.what());
             let half = DVec2::new(0.0, 0.5 * line);
             sheet.text(Anchor::Middle, place - half, first);
             sheet.text(Anchor::Middle, place + half, node.end(figure));
@@ -372,16 +372,16 @@ fn sum_of(nodes: &[Node], records: &[Record], width: Width) -> Option<(Vec<Text>
     let mut letters = formula("I_0") + " = own";
     let mut numbers = Text::from("= ") + coordinates(own);
     for node in nodes {
-        let (Some(weight), true) = (node.weight, node.node.parent == Some(eye.node.id)) else {
+        let (Some(weight), true) = (node.weight, node.ray.parent == Some(eye.ray.id)) else {
             continue;
         };
         let colour = node
-            .node
+            .ray
             .end
             .and_then(|end| end.colour)
             .unwrap_or(DVec3::ZERO);
         letters =
-            letters + format!(" + {}·", brief(weight)) + formula(&format!("I_{}", node.node.id));
+            letters + format!(" + {}·", brief(weight)) + formula(&format!("I_{}", node.ray.id));
         numbers = numbers + format!(" + {}·", brief(weight)) + coordinates(colour);
     }
     let whole = records.iter().find_map(|record| match record.event {

@@ -30,6 +30,7 @@ struct Column {
     cells: Vec<Text>,
 }
 
+#[expect(clippy::too_many_lines, reason = "the table column by column")]
 fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, FigureError> {
     let drawn = figure.ray()?;
     let found = SlabTests::find(figure, &drawn.events)?;
