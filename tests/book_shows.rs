@@ -134,6 +134,7 @@ fn a_command_is_run_where_the_book_is_built() {
 }
 
 #[test]
+#[expect(clippy::too_many_lines, reason = "a case for each error")]
 fn what_cannot_be_shown_fails_the_build_with_chapter_and_line() {
     for (directive, says) in [
         ("Let $a = \\frca{1}$ be", "\"\\\\frca{1}\""),

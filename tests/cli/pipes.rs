@@ -135,7 +135,7 @@ fn long_trace(env: &str) -> (Folder, std::process::Child) {
         .stderr(Stdio::null());
     let child = command.spawn().unwrap();
 
-    let patience = Instant::now() + Duration::from_secs(60);
+    let patience = Instant::now() + Duration::from_mins(1);
     while folder.names().len() < 3 {
         assert!(Instant::now() < patience, "no temporary file in a minute");
         std::thread::sleep(Duration::from_millis(5));

@@ -182,7 +182,7 @@ fn page(html: &str) -> Page {
             match attribute.as_str() {
                 "id" => ids.push(value),
                 "href" | "src" | "xlink:href" | "srcset" | "poster" => {
-                    links.push((name.clone(), attribute, value))
+                    links.push((name.clone(), attribute, value));
                 }
                 _ => {}
             }

@@ -187,10 +187,10 @@ fn check_filter(name: &str, log: &StepLog, head: &Value) {
             .collect()
     };
     let leaves: Vec<i64> = (0..lines.len())
-        .map(|event| log.leaf(event) as i64)
+        .map(|event| i64::try_from(log.leaf(event)).unwrap())
         .collect();
     let landing: Vec<i64> = (0..lines.len())
-        .map(|event| log.landing(event) as i64)
+        .map(|event| i64::try_from(log.landing(event)).unwrap())
         .collect();
     assert_eq!(all(&leaves, "landing"), landing, "{name}");
     // a kind alone names the steps that its events lead

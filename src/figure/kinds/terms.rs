@@ -391,7 +391,7 @@ mod tests {
         let drawn = drawn(0.8, 0.6, Visibility::Visible);
         // ambient 0.2, diffuse 0.5·0.8, specular 0.25·0.36; the swatches of the legend are wider than high
         let height = |colour: &str| {
-            let bars = drawn.rectangles(colour).into_iter().map(|of| of.size());
+            let bars = drawn.rectangles(colour).into_iter().map(Frame::size);
             let bars = bars.filter(|size| 14.0 < size.y);
             bars.map(|size| size.y).next().unwrap()
         };
