@@ -79,12 +79,25 @@ pub fn worksheet(library: &Library, lesson: &Lesson, seed: u64) -> Result<Worksh
     }
     // in the order of the lesson, which goes from the simple to the rest
     items.sort_by_key(|(place, _)| *place);
+    // a neighbour's letters say nothing, also where a question has few other numbers
+    for (_, item) in &mut items {
+        shuffle(&mut item.asked.form, &mut random);
+    }
     Ok(Worksheet {
         lesson: lesson.name.clone(),
         title: lesson.content.title.clone(),
         seed,
         items: items.into_iter().map(|(_, item)| item).collect(),
     })
+}
+
+/// Other letters for the choices. Of an order the letters are named by their places, so it stays as it is.
+fn shuffle(form: &mut Form, random: &mut Seeded) {
+    if let Form::Choice(choices) | Form::Several(choices) | Form::Place(choices) = form {
+        for place in (1..choices.len()).rev() {
+            choices.swap(place, random.below(place as u32 + 1) as usize);
+        }
+    }
 }
 
 impl Worksheet {
