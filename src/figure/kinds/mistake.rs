@@ -266,7 +266,7 @@ mod tests {
         assert_eq!(Row::of(&spoilt(1.5, -2.25)).values, ["1.5", "−2.25"]);
         assert_eq!(
             Row::of(&spoilt(0.123_451, 0.123_456)).values,
-            ["0.123451", "0.123456"]
+            ["0.12345", "0.12346"]
         );
         // counts are whole
         assert_eq!(Row::of(&spoilt(43_130.0, 7.0)).values, ["43 130", "7"]);
