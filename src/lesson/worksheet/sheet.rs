@@ -150,7 +150,11 @@ fn varied(
         // where the lesson does not say what may vary, nothing but numbers may
         let is_sound = spec.vary.is_some()
             || (has_same_right(&asked, &own) && skeleton(&asked.traced) == skeleton_of_own);
-        if is_sound && shows_other_numbers(&asked, &own) && is_no_shorter(&asked, &own) {
+        if is_sound
+            && shows_other_numbers(&asked, &own)
+            && is_no_shorter(&asked, &own)
+            && is_clear(&asked)
+        {
             let (varied, asked) = match spec.vary {
                 Some(_) => moved_too(library, lesson, (varied, asked), random),
                 None => (varied, asked),
@@ -190,12 +194,22 @@ fn moved_too(
         }
         if let Ok(other) = library.ask_varied(lesson, &more.spec, &more.values)
             && has_same_right(&other, &asked)
+            && is_clear(&other)
             && skeleton(&other.traced) == before
         {
             return (more, other);
         }
     }
     (varied, asked)
+}
+
+/// Is no wrong number so near to the right one that an answer may be taken for both?
+fn is_clear(asked: &Asked) -> bool {
+    let Form::Number(of) = &asked.form else {
+        return true;
+    };
+    let apart = |(value, _): &(f64, _)| 2.0 * of.tolerance < (value - of.answer).abs();
+    of.wrong.iter().all(apart)
 }
 
 /// Are the same choices right? Their reasons are then the ones that the lesson's author has written for it.
