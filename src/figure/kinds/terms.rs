@@ -332,6 +332,7 @@ mod tests {
     use serde_json::json;
 
     use crate::figure::read_back::{DRAWN, ReadBack, traced};
+    use crate::figure::sheet::frame::Frame;
     use crate::scene::small_scene::{object, one_pixel, sphere};
     use crate::scene::{PhongTerm, PrimitiveId};
     use crate::trace::{Event, LightTerm, PixelSample, RayEnd, RayStart, Shade, Visibility};

@@ -4,10 +4,11 @@ use std::collections::BTreeMap;
 
 use crate::figure::{FigureKind, Rendition, UpTo, Width};
 use crate::lesson::exercise::Seeded;
+use crate::lesson::library::{FigureName, Library};
 use crate::lesson::question::{Asked, Form, QuestionSpec, edited};
 use crate::lesson::worksheet::skeleton::skeleton;
 use crate::lesson::worksheet::vary::{Varied, can_vary, draw, moved};
-use crate::lesson::{FigureName, Lesson, LessonError, Library};
+use crate::lesson::{Lesson, LessonError};
 
 /// A sheet of questions.
 #[derive(Clone, Debug)]
