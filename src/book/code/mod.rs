@@ -47,7 +47,7 @@ pub(super) fn code(rest: &str, project: &Project) -> Result<String, String> {
         (Some(item), _) => marked::item(&text, item)?,
     };
     if with_docs && language != "rust" {
-        return Err("doc is for Rust alone\n  leave it away".into());
+        return Err("doc is for Rust alone\n  omit it".into());
     }
     // no button that sends it to another host
     let class = if language == "rust" {
