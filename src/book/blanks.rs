@@ -10,7 +10,7 @@ use crate::explain::render::{escaped, html, no_hint};
 /// How many results are taken out if nothing is said.
 pub(super) const USUAL: u32 = 3;
 
-/// The page with at most so many results taken out, spread over its lines, and the answers behind a line that is opened, as
+/// The page with at most that number of results taken out, spread over its lines, and the answers behind a line that is opened, as
 /// HTML on one line.
 ///
 /// # Errors

@@ -105,7 +105,7 @@ fn asked(words: Vec<String>) -> Result<Asked, String> {
     Ok(asked)
 }
 
-/// What is shown of the output; what is left out is told.
+/// The part of the output that is shown, with the number of lines that are omitted.
 fn excerpt(out: &str, asked: &Asked) -> Result<String, String> {
     let all: Vec<&str> = out.trim_end().lines().collect();
     let place = |text: &Option<String>, after: usize| match text {

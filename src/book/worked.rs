@@ -26,7 +26,7 @@ pub(super) fn log(
 /// The worked solution with results taken out, as HTML on one line.
 ///
 /// # Errors
-/// As of a log; or there are not so many results.
+/// Those of a log; or the lines have no result to take out.
 pub(super) fn with_blanks(
     traced: &Traced,
     pixel: Option<[u32; 2]>,

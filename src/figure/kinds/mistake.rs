@@ -23,7 +23,7 @@ pub(super) const KIND: Kind = Kind {
     more: &[],
 };
 
-/// So many quantities are shown, the first ones: those after them follow from them.
+/// How many quantities are shown: the first ones. Those after them follow from them.
 const MOST: usize = 3;
 
 /// Significant digits of a quantity: more where two differ by less.

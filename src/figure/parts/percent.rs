@@ -2,7 +2,7 @@
 
 use crate::figure::sheet::canvas::brief;
 
-/// A share in percent: near 100 with so many digits that two of what is left are seen.
+/// A share in percent: near 100 with enough digits to show two digits of the rest.
 pub(in crate::figure) fn percent(share: f64) -> String {
     let percent = 100.0 * share;
     if 99.0 < percent && percent < 100.0 {

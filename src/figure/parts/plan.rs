@@ -81,7 +81,7 @@ impl Plan {
                 };
                 let line = [end(0), end(self.lattice.resolution[along])];
                 let is_outer = place == 0 || place == last;
-                // so many planes would hide what lies between them
+                // more planes would hide what lies between them
                 let inner = if MANY <= last { 0.35 } else { 0.75 };
                 let look = Look::THIN.wide(if is_outer { 1.5 } else { inner });
                 outline::line_on(sheet, &self.space, look, &line);

@@ -20,7 +20,7 @@ pub(super) struct Agreeing {
     met: u64,
 }
 
-/// So many tell most mistakes apart, and are computed again in no time.
+/// Enough to tell most mistakes apart, and fast to compute again.
 const MOST: usize = 64;
 
 impl Agreeing {

@@ -50,7 +50,7 @@ pub(super) struct ForeignLog<'a, R> {
     unknown: BTreeMap<(Kind, String), UnknownField>,
 }
 
-/// Of a log that makes up keys without end, this many are told.
+/// The most unknown keys that are reported for one log.
 const MOST_UNKNOWN: usize = 20;
 
 impl<'a, R: BufRead> ForeignLog<'a, R> {

@@ -21,7 +21,7 @@ use crate::figure::view::Space;
 /// are told apart.
 const LEVEL: f64 = 2.5;
 
-/// So many objects have their names on a slide too.
+/// Up to this number of objects, a slide shows their names too.
 const FEW: usize = 8;
 
 impl Walk<'_> {
