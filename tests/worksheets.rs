@@ -273,8 +273,9 @@ fn closed_form(asked: &Asked, file: &Value, place: &str) -> bool {
     };
     match (asked.lesson.as_str(), asked.name.as_str(), &asked.form) {
         ("01-pinhole", "window-height", _) if has_window => is(point[1]),
-        ("01-pinhole", "window-point", _) if has_window => is(point[0]),
-        ("03-ray", "pixel-beside", _) if has_window => is(point[0]),
+        ("01-pinhole", "window-point", _) | ("03-ray", "pixel-beside", _) if has_window => {
+            is(point[0])
+        }
         ("03-ray", "t-of-the-window", _) if has_window => is(dot(to_window, to_window).sqrt()),
         // an eye ray for each pixel, and a test of each object
         ("09-cost", "tests-of-a-picture", _) => {
