@@ -56,8 +56,8 @@ impl<const N: usize> BothPlanes<N> {
     /// Where is the ray inside the bound? Nowhere if near and far have crossed.
     ///
     /// A parallel ray is inside its slab from some −10²⁰⁰ to 10²⁰⁰, or only beyond that. The first three slabs are
-    /// computed before any of them is joined to another: so the processor does two at once. Whether near and far have
-    /// crossed is asked once, behind the third slab: a jump costs more than a slab.
+    /// computed before any of them is joined to another, and those behind them in two rows: so the processor does two at
+    /// once. Whether near and far have crossed is asked once, behind the third slab: a jump costs more than a slab.
     #[inline]
     pub(super) fn inside(&self, bound: &SlabBound<N>) -> Inside {
         let (x, y, z) = (
@@ -65,14 +65,18 @@ impl<const N: usize> BothPlanes<N> {
             self.between(bound, 1),
             self.between(bound, 2),
         );
-        let mut inside = join(join(x, y), z);
+        let inside = join(join(x, y), z);
         if N == BOX || inside.is_empty() {
             return inside;
         }
-        for slab in BOX..N {
-            inside = join(inside, self.between(bound, slab));
+        // an odd one at the end is joined twice, which changes nothing
+        let mut both = [inside; 2];
+        for slab in (BOX..N).step_by(2) {
+            let next = (slab + 1).min(N - 1);
+            both[0] = join(both[0], self.between(bound, slab));
+            both[1] = join(both[1], self.between(bound, next));
         }
-        inside
+        join(both[0], both[1])
     }
 }
 
