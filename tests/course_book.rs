@@ -280,3 +280,48 @@ fn a_changed_function_changes_the_code_or_fails_the_build_with_chapter_and_line(
     assert_eq!(out.status.code(), Some(2), "{told}");
     assert!(told.contains("one.md, line 3: "), "{told}");
 }
+
+#[test]
+fn below_the_picture_of_a_mistake_stand_its_step_its_exercise_and_its_question() {
+    let project = Project::copy();
+    let question = "{{#raystep-question 04-sphere/half-b}}\n";
+    let shown = project.shown(&format!(
+        "{question}\n{{{{#raystep gallery/half-b-in-the-full-formula}}}}\n"
+    ));
+    let (_, caption) = shown.split_once("<figcaption>").unwrap();
+    let (caption, _) = caption.split_once("</figcaption>").unwrap();
+    // the pixel is that of the figure's log
+    let log = project.path("log.jsonl");
+    let figure = Command::new(env!("CARGO_BIN_EXE_raystep"))
+        .args(["figure", "gallery/half-b-in-the-full-formula", "-o"])
+        .arg(project.path("figure.svg"))
+        .arg("--lessons")
+        .arg(project.path("lessons"))
+        .arg("--write-log")
+        .arg(&log)
+        .status();
+    assert!(figure.unwrap().success());
+    let log = fs::read_to_string(log).unwrap();
+    let mut lines = log
+        .lines()
+        .map(|line| serde_json::from_str::<Value>(line).unwrap());
+    let mistake = lines.find(|line| line["kind"] == "mistake").unwrap();
+    let [x, y] = [0, 1].map(|at| mistake["first"][at].as_u64().unwrap());
+    let step = format!("<code>raystep step lessons/gallery/scene.json {x},{y}</code>");
+    assert!(caption.contains(&step), "{caption}");
+    assert!(
+        caption.contains("<code>l04_coefficients</code>"),
+        "{caption}"
+    );
+    let link = "<a href=\"#raystep-question-04-sphere-half-b\">04-sphere/half-b</a>";
+    assert!(caption.contains(link), "{caption}");
+    // a puzzle tells nothing of it
+    let puzzle = project.shown("{{#raystep gallery/half-b-in-the-full-formula stage=2 puzzle}}\n");
+    let (_, caption) = puzzle.split_once("<figcaption>").unwrap();
+    let (caption, _) = caption.split_once("</figcaption>").unwrap();
+    let command = "<code>raystep figure gallery/half-b-in-the-full-formula --stage 2</code>";
+    assert_eq!(caption, command);
+    // neither does the drawing, up to that stage: the mistake's own sentence comes after both pictures
+    let drawn: String = puzzle.split("<text").skip(1).collect();
+    assert!(!drawn.contains("factor 2"), "{drawn}");
+}

@@ -137,3 +137,17 @@ fn each_question_takes_its_right_answer_and_refuses_each_wrong_one_with_its_reas
         assert!(!asked.text.contains(['{', '}']), "{name}: {}", asked.text);
     }
 }
+
+#[test]
+fn the_working_of_a_bound_begins_with_its_first_slab() {
+    // S and T of all slabs come before the bound in the log, so the lines of the first slab were left out
+    for name in ["near-of-a-slab", "slab-that-ends"] {
+        let asked = all().iter().find(|of| of.name == name).unwrap();
+        let lines: Vec<&str> = asked.working.iter().map(|of| of.text.as_str()).collect();
+        assert!(
+            lines[0].starts_with("Bounding volume of shape"),
+            "{lines:?}"
+        );
+        assert!(lines[1].starts_with("S, T of slab 0, "), "{lines:?}");
+    }
+}

@@ -7,26 +7,44 @@ use crate::explain::Tone;
 use crate::explain::page::Page;
 use crate::explain::render::{escaped, html, no_hint};
 
+/// What has a number for its name.
+const NAMED: [&str; 3] = ["node ", "leaf ", "slab "];
+
 /// How many results are taken out if nothing is said.
 pub(super) const USUAL: u32 = 3;
 
-/// The page with at most that number of results taken out, spread over its lines, and the answers behind a line that is opened, as
+/// Which results are taken out.
+#[derive(Clone, Debug)]
+pub(super) struct Taken {
+    /// At most so many.
+    pub(super) count: u32,
+    /// Only those of lines that have this word: what follows from the other lines.
+    pub(super) word: Option<String>,
+}
+
+/// The page with some of its results taken out, spread over its lines, and the answers behind a line that is opened, as
 /// HTML on one line.
 ///
 /// # Errors
 /// The page has no result.
-pub(super) fn blanks(mut page: Page, count: u32) -> Result<String, String> {
+pub(super) fn blanks(mut page: Page, taken: &Taken) -> Result<String, String> {
+    let has_word = |text: &str| {
+        let mut words = text.split(|c: char| !c.is_alphanumeric());
+        let wanted = taken.word.as_deref();
+        wanted.is_none_or(|wanted| words.any(|word| word == wanted))
+    };
     let lines = page.lines.iter().enumerate();
     let found: Vec<(usize, Range<usize>)> = lines
         .filter(|(_, line)| {
-            line.steps.is_some() && !matches!(line.tone, Tone::Heading | Tone::Folded(_))
+            let is_told = line.steps.is_some();
+            is_told && !matches!(line.tone, Tone::Heading | Tone::Folded(_)) && has_word(&line.text)
         })
         .filter_map(|(at, line)| Some((at, result(&line.text)?)))
         .collect();
-    let count = found.len().min(count as usize);
+    let count = found.len().min(taken.count as usize);
     if count == 0 {
         return Err(
-            "no line has a result that can be taken out\n  choose other lines by only=KIND or all, or another figure"
+            "no line has a result that can be taken out\n  choose other lines by only=KIND, word=WORD or all, or another figure"
                 .into(),
         );
     }
@@ -77,7 +95,9 @@ fn result(text: &str) -> Option<Range<usize>> {
             .starts_with(['+', '−', '·', '/', '×', '²', '^']);
         return (!goes_on).then_some(start..end);
     }
-    let numbers: Vec<Range<usize>> = numbers(text).collect();
+    // a name follows from nothing
+    let is_name = |range: &Range<usize>| NAMED.iter().any(|of| text[..range.start].ends_with(of));
+    let numbers: Vec<Range<usize>> = numbers(text).filter(|range| !is_name(range)).collect();
     let is_decimal = |range: &&Range<usize>| text[(*range).clone()].contains('.');
     numbers
         .iter()
@@ -179,6 +199,10 @@ mod tests {
         }
     }
 
+    fn taken(count: u32) -> Taken {
+        Taken { count, word: None }
+    }
+
     #[test]
     fn results_are_taken_out_wherever_they_stand() {
         let page = page(&[
@@ -187,7 +211,7 @@ mod tests {
             "discriminant: b² − 4ac = 132.25 − 140 = −7.75 < 0: no real root",
             "b = −11.5 + −11.55, and so on",
         ]);
-        let shown = blanks(page, 2).unwrap();
+        let shown = blanks(page, &taken(2)).unwrap();
         assert!(shown.contains("2·3 = [1]<"), "{shown}");
         assert!(shown.contains("132.25 − 140 = [2] &lt; 0"), "{shown}");
         assert!(shown.contains("b = [1] + −11.55"), "{shown}");
@@ -213,6 +237,7 @@ mod tests {
             ("node 2 goes in with key 3.15; 2 nodes wait", Some("3.15")),
             ("inside or outside: 2 crossings, an even number", Some("2")),
             ("no number at all: t₁ and l04", None),
+            ("bounding volume of node 13 (slabs): missed", None),
         ] {
             assert_eq!(result(text).map(|range| &text[range]), found, "{text}");
         }
@@ -220,9 +245,28 @@ mod tests {
 
     #[test]
     fn no_more_are_taken_out_than_there_are() {
-        let shown = blanks(page(&["a = 1 + 2 = 3"]), 2).unwrap();
+        let shown = blanks(page(&["a = 1 + 2 = 3"]), &taken(2)).unwrap();
         assert!(shown.contains("[1]") && !shown.contains("[2]"), "{shown}");
-        blanks(page(&["a = 1 + 2 = 3"]), 0).unwrap_err();
-        blanks(page(&["no number"]), 1).unwrap_err();
+        blanks(page(&["a = 1 + 2 = 3"]), &taken(0)).unwrap_err();
+        blanks(page(&["no number"]), &taken(1)).unwrap_err();
+    }
+
+    #[test]
+    fn only_lines_with_the_word_lose_their_result() {
+        let lines = [
+            "node 1 waits at t = 2.5",
+            "node 1 is nearest, key 2.5",
+            "nearestmost is 7",
+        ];
+        let taken = Taken {
+            count: 3,
+            word: Some("nearest".into()),
+        };
+        let shown = blanks(page(&lines), &taken).unwrap();
+        assert!(shown.contains("at t = 2.5<"), "{shown}");
+        assert!(
+            shown.contains("key [1]<") && !shown.contains("[2]"),
+            "{shown}"
+        );
     }
 }

@@ -219,8 +219,10 @@ impl<'a> Expander<'a> {
 
     fn figure(&mut self, named: &Named, words: &[String]) -> Result<String, String> {
         let mut up_to = None;
+        let mut is_puzzle = false;
         for word in words {
             match word.split_once('=') {
+                None if word == "puzzle" => is_puzzle = true,
                 Some((key @ ("step" | "stage"), _)) if up_to.is_some() => {
                     return Err(format!(
                         "{key} comes after another end of the drawing\n  give one step=N, or one stage=N"
@@ -232,7 +234,10 @@ impl<'a> Expander<'a> {
                 Some(("stage", number)) => {
                     up_to = Some(UpTo::Stage(whole_number("stage", number)?));
                 }
-                _ => return Err(unknown_option(word, &["step=N", "stage=N", "stepper"])),
+                _ => {
+                    let known = ["step=N", "stage=N", "puzzle", "stepper"];
+                    return Err(unknown_option(word, &known));
+                }
             }
         }
         let mut command = format!("raystep figure {}", named.name);
@@ -243,7 +248,18 @@ impl<'a> Expander<'a> {
         }
         let id = self.id(&named.name);
         let svg = drawing(named, &id, up_to)?;
-        let caption = self.caption(named.spec, &command);
+        // the caption would tell the answer
+        let words = if is_puzzle { "" } else { &named.spec.caption };
+        let mut caption = self.caption(words, &command);
+        let traced = named.traced.first();
+        if let Some(mistake) = traced.and_then(|of| of.of_pixels.mistake.as_ref())
+            && !is_puzzle
+        {
+            let lessons = self.lessons.as_deref().unwrap_or(LESSONS);
+            let scene = format!("{lessons}/{}/{}", named.lesson.name, named.spec.scene);
+            let leads = mistakes::leads(mistake, &scene, self.library, &self.places, &self.chapter);
+            caption = format!("{caption}<br>{leads}");
+        }
         Ok(format!(
             "<figure class=\"raystep\" id=\"{id}_figure\">{svg}<figcaption>{caption}</figcaption></figure>"
         ))
@@ -258,7 +274,7 @@ impl<'a> Expander<'a> {
         let figure = stepper(&Stepper {
             svg: &drawing(named, &id, None)?,
             id: &format!("{id}_figure"),
-            caption: &self.caption(named.spec, &command),
+            caption: &self.caption(&named.spec.caption, &command),
             steps: &steps,
             predicts: asked.predicts,
         });
@@ -294,16 +310,16 @@ impl<'a> Expander<'a> {
     }
 
     /// What stands below a figure: its caption, and the command that draws it.
-    fn caption(&self, spec: &FigureSpec, command: &str) -> String {
+    fn caption(&self, words: &str, command: &str) -> String {
         let lessons = self.lessons.as_ref();
         let lessons = lessons.map_or(String::new(), |lessons| {
             format!(" --lessons {}", for_shell(lessons))
         });
-        format!(
-            "{} <code>{}</code>",
-            escaped(&spec.caption),
-            escaped(&format!("{command}{lessons}"))
-        )
+        let command = escaped(&format!("{command}{lessons}"));
+        match words {
+            "" => format!("<code>{command}</code>"),
+            _ => format!("{} <code>{command}</code>", escaped(words)),
+        }
     }
 
     /// The chapter and the figure, and a number if that was given before.

@@ -1,11 +1,18 @@
 //! `{{#raystep-mistakes}}`: the mistakes that the exercises recognise, each with what it does, what it spoils, and where it is
-//! found.
+//! found. And what stands below the picture of a mistake: its step, its exercises, its questions.
 
+use crate::book::places::{Places, link, question_id};
+use crate::book::run::for_shell;
 use crate::explain::render::escaped;
 use crate::lesson::Library;
 use crate::lesson::exercise::{About, Exercise, exercises};
+use crate::lesson::question::{Ask, QuestionSpec};
 use crate::mistake::{Mistake, mistakes};
 use crate::scene::{nearest_name, quoted};
+use crate::trace::LoggedMistake;
+
+/// At most so many questions are named for a mistake.
+const MOST_QUESTIONS: usize = 3;
 
 /// The table of all mistakes, or of those of a lesson, as HTML on one line.
 ///
@@ -35,6 +42,75 @@ pub(super) fn table(words: &[String], library: &Library) -> Result<String, Strin
         "<div class=\"table-wrapper\"><table class=\"raystep-mistakes\"><thead><tr><th>Mistake</th><th>What it does</th>\
          <th>It spoils</th><th>Exercise</th></tr></thead><tbody>{rows}</tbody></table></div>"
     ))
+}
+
+/// What leads on from the picture of a mistake: the command that steps through the first pixel that it spoils, the exercises that
+/// know it, and the questions about it, those first that have it as a wrong choice.
+///
+/// `scene` is the scene's file as commands have it, `from` the chapter.
+pub(super) fn leads(
+    mistake: &LoggedMistake,
+    scene: &str,
+    library: &Library,
+    places: &Places,
+    from: &str,
+) -> String {
+    let [x, y] = mistake.pixel;
+    let step = format!("raystep step {} {x},{y}", for_shell(scene));
+    let mut all = vec![format!("Step: <code>{}</code>", escaped(&step))];
+    let known = abouts().filter(|about| about.mistakes.contains(&mistake.name.as_str()));
+    let ids: Vec<String> = known
+        .map(|about| format!("<code>{}</code>", escaped(&about.id())))
+        .collect();
+    if !ids.is_empty() {
+        all.push(format!("Exercise: {}", ids.join(", ")));
+    }
+    let of_choice = |question: &QuestionSpec| has_choice(question, &mistake.name);
+    let of_confusion = |question: &QuestionSpec| {
+        let mut confusions = question.confusions.iter();
+        confusions.any(|of| of.mistakes().contains(&mistake.name.as_str()))
+    };
+    let questions = library.lessons.iter().flat_map(|lesson| {
+        let all = lesson.content.questions.iter();
+        all.map(|of| (format!("{}/{}", lesson.name, of.name), of))
+    });
+    let (mut first, others): (Vec<_>, Vec<_>) = questions
+        .filter(|(_, of)| of_choice(of) || of_confusion(of))
+        .partition(|(_, of)| of_choice(of));
+    first.extend(others);
+    let links: Vec<String> = first
+        .iter()
+        .filter_map(|(name, _)| {
+            let to = link(from, places.of_question(name)?, &question_id(name));
+            Some(format!(
+                "<a href=\"{}\">{}</a>",
+                escaped(&to),
+                escaped(name)
+            ))
+        })
+        .take(MOST_QUESTIONS)
+        .collect();
+    if !links.is_empty() {
+        all.push(format!("Question: {}", links.join(", ")));
+    }
+    all.join(". ")
+}
+
+/// Is the mistake one of the wrong choices or numbers of a question?
+fn has_choice(question: &QuestionSpec, mistake: &str) -> bool {
+    let is_it = |name: &Option<String>| name.as_deref() == Some(mistake);
+    match &question.ask {
+        Ask::Number(of) | Ask::Value(of) => of.wrong.iter().any(|wrong| is_it(&wrong.mistake)),
+        Ask::Choice(of) | Ask::Several(of) | Ask::Place(of) => {
+            of.choices.iter().any(|choice| is_it(&choice.mistake))
+        }
+        Ask::Order(_)
+        | Ask::Program(_)
+        | Ask::Blank(_)
+        | Ask::Reason(_)
+        | Ask::Step(_)
+        | Ask::Counterexample(_) => false,
+    }
 }
 
 fn abouts() -> impl Iterator<Item = &'static About> {

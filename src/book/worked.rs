@@ -1,7 +1,7 @@
 //! `{{#raystep-log NAME}}` and `{{#raystep-blanks NAME}}`: the worked solution of a figure's pixel, whole or with results taken
 //! out.
 
-use crate::book::blanks::{USUAL, blanks};
+use crate::book::blanks::{Taken, USUAL, blanks};
 use crate::book::words::{unknown_option, whole_log, whole_number};
 use crate::explain::page::Page;
 use crate::explain::render::html;
@@ -19,7 +19,7 @@ pub(super) fn log(
     pixel: Option<[u32; 2]>,
     words: &[String],
 ) -> Result<String, String> {
-    let (page, _) = page(traced, pixel, words, None)?;
+    let page = page(traced, pixel, words, None)?;
     Ok(html(&page, hint))
 }
 
@@ -32,29 +32,34 @@ pub(super) fn with_blanks(
     pixel: Option<[u32; 2]>,
     words: &[String],
 ) -> Result<String, String> {
-    let (page, count) = page(traced, pixel, words, Some(USUAL))?;
-    blanks(page, count.unwrap_or(USUAL))
+    let mut taken = Taken {
+        count: USUAL,
+        word: None,
+    };
+    let page = page(traced, pixel, words, Some(&mut taken))?;
+    blanks(page, &taken)
 }
 
-/// The page, and how many results are taken out where that may be said.
+/// The page. What is taken out of it is noted where that may be said.
 fn page(
     traced: &Traced,
     pixel: Option<[u32; 2]>,
     words: &[String],
-    mut count: Option<u32>,
-) -> Result<(Page, Option<u32>), String> {
-    const OPTIONS: [&str; 4] = ["only=KIND,KIND", "ray=N", "all", "blanks=N"];
+    mut taken: Option<&mut Taken>,
+) -> Result<Page, String> {
+    const OPTIONS: [&str; 5] = ["only=KIND,KIND", "ray=N", "all", "blanks=N", "word=WORD"];
     let mut options = WorkedOptions::default();
     for word in words {
-        match word.split_once('=') {
-            Some(("only", kinds)) => options.kinds = only(kinds)?,
-            Some(("ray", number)) => options.ray = Some(whole_number("ray", number)?),
-            Some(("blanks", number)) if count.is_some() => {
-                count = Some(whole_number("blanks", number)?);
+        match (word.split_once('='), &mut taken) {
+            (Some(("only", kinds)), _) => options.kinds = only(kinds)?,
+            (Some(("ray", number)), _) => options.ray = Some(whole_number("ray", number)?),
+            (Some(("blanks", number)), Some(taken)) => {
+                taken.count = whole_number("blanks", number)?;
             }
-            None if word == "all" => options.all = true,
+            (Some(("word", word)), Some(taken)) => taken.word = Some(word.into()),
+            (None, _) if word == "all" => options.all = true,
             _ => {
-                let known = if count.is_some() { 4 } else { 3 };
+                let known = if taken.is_some() { 5 } else { 3 };
                 return Err(unknown_option(word, &OPTIONS[..known]));
             }
         }
@@ -69,8 +74,12 @@ fn page(
         });
     }
     let settings = whole_log(traced);
-    let page = worked_solution(&traced.scene, &settings, &records, &options);
-    Ok((page, count))
+    Ok(worked_solution(
+        &traced.scene,
+        &settings,
+        &records,
+        &options,
+    ))
 }
 
 /// The options of the directive that show what a page leaves out.

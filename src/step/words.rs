@@ -6,7 +6,7 @@ use std::ops::Range;
 use crate::explain::{Line, Section, StepAddress, Tone, WorkedSteps};
 use crate::step::level::Level;
 use crate::step::tree::StepLog;
-use crate::trace::Kind;
+use crate::trace::{Event, Kind};
 
 /// Finds the lines that tell a step.
 #[derive(Debug)]
@@ -68,8 +68,14 @@ impl<'a> StepWords<'a> {
             let overlap = |own: &Range<usize>| line.start < own.end && own.start < line.end;
             own.iter().any(overlap)
         };
+        // the lines of a bound's first slab tell S and T of all slabs too, which were computed before the bound
+        let begins = |line: &Range<usize>| {
+            let is_slab_ray = |at: &usize| matches!(log.records[*at].event, Event::SlabRay(_));
+            let first = line.clone().find(|at| !is_slab_ray(at));
+            first.unwrap_or(line.start)
+        };
         let within =
-            |line: &Range<usize>| step.start <= line.start && line.end <= step.end && meets(line);
+            |line: &Range<usize>| step.start <= begins(line) && line.end <= step.end && meets(line);
         let has_words = lines
             .iter()
             .filter_map(|(_, place)| place.as_ref())

@@ -170,7 +170,7 @@ test("predict asks, and nothing of the page tells a verdict behind the step", as
   const { page, faults, close, title, says, press } = await opened("ball.html#4,4:2");
   await press("p");
   await title("ball: sphere");
-  await says("The roots are t = 4 and t = 6; every t above 0 counts. Which root is the hit?");
+  await says("The roots of ball are t = 4 and t = 6; every t above 0 counts. Which root is the hit?");
   const visible = await page.locator("main").innerText();
   assert.doesNotMatch(visible, /: (hit|rejected|reaches light|visible|blocked)/);
   const choices = await page.locator(".raystep-choice").allTextContents();

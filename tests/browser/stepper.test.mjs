@@ -92,7 +92,7 @@ test("the list goes to a step and is told which one is shown", async () => {
 test("predict asks before the verdict, and nothing tells it", async () => {
   const { page, faults, close } = await open(browser, at("steps.html"));
   const { figure, range, title, says, button } = stepper(page, 1);
-  await says("The roots are t = 4 and t = 6; every t above 0 counts. Which root is the hit?");
+  await says("The roots of ball are t = 4 and t = 6; every t above 0 counts. Which root is the hit?");
   await title("ball: sphere");
   const all = await figure.locator(".raystep-panel, .raystep-item").allTextContents();
   assert.doesNotMatch(all.join("\n"), /sphere: hit/);

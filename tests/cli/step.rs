@@ -334,7 +334,7 @@ fn a_question_comes_before_the_verdict_and_its_answer_has_a_reason_for_every_cho
         .split_once("\nA: sphere\ntest, steps 2 to 3 of ")
         .unwrap();
     assert!(
-        question.contains("\nquestion: A: The roots are t = 5.00028 and t = "),
+        question.contains("\nquestion: The roots of A are t = 5.00028 and t = "),
         "{asked}"
     );
     assert!(

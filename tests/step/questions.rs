@@ -244,7 +244,7 @@ fn the_questions_of_the_pixel_on_paper_are_those_that_a_lecturer_would_ask() {
     // the ball of radius 2 is 4 behind the eye, and M was hit at 4
     check_on_paper(
         |log| log.leaf(4),
-        "ball: The roots are t = −6 and t = −2; t counts from 0 to 4, the nearest hit so far. Which root is the hit?",
+        "The roots of ball are t = −6 and t = −2; t counts from 0 to 4, the nearest hit so far. Which root is the hit?",
         [
             "neither: the ray misses",
             "t = −6 lies behind the origin of the ray. t = −2 lies behind the origin of the ray.",
@@ -271,7 +271,7 @@ fn the_questions_of_the_pixel_on_paper_are_those_that_a_lecturer_would_ask() {
     // (0, 3, 5): c = 9 + 25 − 1
     check_on_paper(
         |log| log.leaf(6),
-        "far: a·t² + b·t + c = 0 with a = 1, b = −10, c = 33. How many real roots are there?",
+        "For far, a·t² + b·t + c = 0 has a = 1, b = −10, c = 33. How many real roots are there?",
         [
             "none: the ray misses",
             "b² − 4ac = 100 − 132 = −32, which is below 0.",

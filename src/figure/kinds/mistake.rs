@@ -10,11 +10,12 @@ use crate::figure::parts::picture::draw_image;
 use crate::figure::sheet::frame::Frame;
 use crate::figure::sheet::image::Image;
 use crate::figure::sheet::look::{Colour, Look};
+use crate::figure::sheet::stage::StageId;
 use crate::figure::sheet::text::{Text, formula};
 use crate::figure::sheet::{Anchor, Sheet};
 use crate::figure::subject::Figure;
 use crate::mistake::mistake;
-use crate::trace::{LoggedMistake, LoggedPicture, SpoiltValue};
+use crate::trace::{LoggedPicture, SpoiltValue};
 
 pub(super) const KIND: Kind = Kind {
     draw,
@@ -46,7 +47,6 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
     let known = mistake(&logged.name)
         .ok_or_else(|| FigureError::of_log(format!("there is no mistake {:?}", logged.name)))?;
 
-    let body = sheet.lines(body, &[prose(known.sentence)]);
     let rows: Vec<Row> = logged.spoilt.iter().take(MOST).map(Row::of).collect();
     let [x, y] = logged.pixel;
     let [width, height] = right.pixels;
@@ -68,17 +68,22 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
 
     let line = sheet.line_height();
     let below = (rows.len() as f64 + 2.5) * line;
+    let head = [prose(known.sentence)];
     let table = match (&logged.picture, differing) {
         (Some(wrong), Some(differing)) => {
             let gap = sheet.letters;
             let panel = (body.size().x - 2.0 * gap) / 3.0;
             // three pictures side by side, each below its name
             let high = panel * f64::from(height) / f64::from(width) + 1.5 * line;
+            let panels = PANELS.map(|(name, sentence)| sheet.stage(name, None, sentence));
+            // what is wrong is told after both pictures, so that it can be asked before
+            let body = sheet.at(panels[2], |sheet| sheet.lines(body, &head));
             let [pictures, table] = body.split_top(high.min(body.size().y - below));
-            draw_pictures(sheet, pictures, [right, wrong], &differing, logged);
+            let both = [right, wrong];
+            draw_pictures(sheet, pictures, both, &differing, logged.pixel, panels);
             table
         }
-        _ => body,
+        _ => sheet.lines(body, &head),
     };
     let stage = sheet.stage("quantity", None, format!("{of_pixel} {in_words}"));
     sheet.at(stage, |sheet| draw_table(sheet, table, &of_pixel, &rows));
@@ -99,13 +104,21 @@ fn differing(right: &LoggedPicture, wrong: &LoggedPicture) -> Vec<bool> {
     pairs.map(|(right, wrong)| right != wrong).collect()
 }
 
-/// Three panels: the right picture, the wrong one, and the pixels that differ.
+/// The name of each panel, and its sentence.
+const PANELS: [(&str, &str); 3] = [
+    ("right", "The right picture."),
+    ("with the mistake", "The picture with the mistake."),
+    ("what differs", "The pixels that differ."),
+];
+
+/// Three panels, each with its stage: the right picture, the wrong one, and the pixels that differ.
 fn draw_pictures(
     sheet: &mut Sheet,
     frame: Frame,
     pictures: [&LoggedPicture; 2],
     differing: &[bool],
-    logged: &LoggedMistake,
+    pixel: [u32; 2],
+    stages: [StageId; 3],
 ) {
     let [right, wrong] = pictures.map(|of| Image::of_rgb(of.pixels, &of.rgb).in_squares());
     let shade = Some(Colour::Rejected.plain());
@@ -115,13 +128,9 @@ fn draw_pictures(
     let gap = sheet.letters;
     let width = (frame.size().x - 2.0 * gap) / 3.0;
     let line = sheet.line_height();
-    let panels = [
-        ("right", right, "The right picture."),
-        ("with the mistake", wrong, "The picture with the mistake."),
-        ("what differs", marked, "The pixels that differ."),
-    ];
-    for (place, (name, image, sentence)) in panels.into_iter().enumerate() {
-        let stage = sheet.stage(name, None, sentence);
+    let images = [right, wrong, marked];
+    for (place, (image, stage)) in images.into_iter().zip(stages).enumerate() {
+        let (name, _) = PANELS[place];
         let left = frame.min.x + place as f64 * (width + gap);
         let room = Frame {
             min: DVec2::new(left, frame.min.y + line),
@@ -133,7 +142,7 @@ fn draw_pictures(
             sheet.text(Anchor::Middle, above, name);
             if place < 2 {
                 let side = whole.size() / DVec2::new(f64::from(pixels[0]), f64::from(pixels[1]));
-                let [x, y] = logged.pixel.map(f64::from);
+                let [x, y] = pixel.map(f64::from);
                 let corner = whole.min + side * DVec2::new(x, y);
                 let pixel = Frame {
                     min: corner,

@@ -167,6 +167,7 @@ lessons! {
     "11-hierarchy/crowd.json",
     "11-hierarchy/exercise.rs",
     "11-hierarchy/lesson.json",
+    "11-hierarchy/rods.json",
     "11-hierarchy/scene.json",
     "11-hierarchy/solution.rs",
     "12-grid/box.json",

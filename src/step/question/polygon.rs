@@ -7,8 +7,8 @@ use crate::step::question::at::{At, alike, listed, number};
 use crate::step::question::choice::{Asks, Choice, Question};
 use crate::trace::{Event, StrategyName};
 
-/// The most corners of an outline that a question shows.
-const MOST_CORNERS: usize = 6;
+/// The most vertices of an outline that a question shows.
+const MOST_VERTICES: usize = 6;
 
 /// The name of an axis.
 fn name(axis: Axis) -> &'static str {
@@ -83,17 +83,17 @@ pub(super) fn dropped_axis(at: &At, object: PrimitiveId, test: &PolygonTest) -> 
 /// Is the point inside, and how many edges count?
 pub(super) fn inside(at: &At, object: PrimitiveId, test: &PolygonTest) -> Option<Question> {
     let polygon = polygon_of(at, object)?;
-    let corners = polygon.outline();
-    let is_shown = corners.len() <= MOST_CORNERS && test.decided_by == DecidedBy::Point;
+    let vertices = polygon.outline();
+    let is_shown = vertices.len() <= MOST_VERTICES && test.decided_by == DecidedBy::Point;
     if !is_shown
-        || corners
+        || vertices
             .iter()
-            .any(|corner| alike(corner.y, test.projected.y))
+            .any(|vertex| alike(vertex.y, test.projected.y))
     {
         return None;
     }
     let edges = edges_before(at, object);
-    if edges.len() != corners.len() {
+    if edges.len() != vertices.len() {
         return None;
     }
     let counting: Vec<String> = edges
@@ -122,7 +122,7 @@ pub(super) fn inside(at: &At, object: PrimitiveId, test: &PolygonTest) -> Option
     let right = Choice::new(
         text_of(test.crossings),
         format!(
-            "{count}, from the corner of that number: {} is {odd}.",
+            "{count}, from the vertex of that number: {} is {odd}.",
             test.crossings
         ),
     );
@@ -152,18 +152,18 @@ pub(super) fn inside(at: &At, object: PrimitiveId, test: &PolygonTest) -> Option
             .flatten()
             .map(|crossings| Choice::new(text_of(crossings), reason(crossings))),
     );
-    let corners: Vec<String> = corners
+    let vertices: Vec<String> = vertices
         .iter()
-        .map(|corner| format!("({}, {})", number(corner.x), number(corner.y)))
+        .map(|vertex| format!("({}, {})", number(vertex.x), number(vertex.y)))
         .collect();
     let text = format!(
-        "{}: without {}, p′ = ({}, {}) and the corners are {}. A half-line runs from p′ towards a larger {u} coordinate. \
+        "Polygon {}: {} is dropped, p′ = ({}, {}), and the vertices are {}. A half-line runs from p′ towards a larger {u} coordinate. \
          Is p′ inside, and how many edges count?",
         at.name(object),
         name(test.dropped),
         number(test.projected.x),
         number(test.projected.y),
-        listed(&corners)
+        listed(&vertices)
     );
     Question::new(Asks::Inside, text, at.step(), right, wrong)
 }

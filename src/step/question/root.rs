@@ -87,7 +87,7 @@ fn how_many(at: &At, object: PrimitiveId, test: &QuadraticTest) -> Option<Questi
         ""
     };
     let text = format!(
-        "{}: a·t² + b·t + c = 0 with a = {}, b = {}, c = {}.{graze} How many real roots are there?",
+        "For {}, a·t² + b·t + c = 0 has a = {}, b = {}, c = {}.{graze} How many real roots are there?",
         at.name(object),
         number(a),
         number(b),
@@ -169,9 +169,10 @@ fn which(at: &At, object: PrimitiveId, roots: &Roots) -> Option<Question> {
             right?
         }
     };
+    let name = at.name(object);
     let roots = match all.as_slice() {
-        [one] => format!("The only root is t = {}", number(one.t)),
-        _ => format!("The roots are t = {}", seen.join(" and t = ")),
+        [one] => format!("The only root of {name} is t = {}", number(one.t)),
+        _ => format!("The roots of {name} are t = {}", seen.join(" and t = ")),
     };
     let sides = match primitive.sides {
         Sides::Both => "",
@@ -179,8 +180,7 @@ fn which(at: &At, object: PrimitiveId, roots: &Roots) -> Option<Question> {
         Sides::Back => " Only the back of the surface can be seen.",
     };
     let text = format!(
-        "{}: {roots}; {}.{sides} Which root is the hit?",
-        at.name(object),
+        "{roots}; {}.{sides} Which root is the hit?",
         at.range_text(range)
     );
     Question::new(Asks::RootThatCounts, text, at.step(), right, choices)
