@@ -310,7 +310,7 @@ fn below_the_picture_of_a_mistake_stand_its_step_its_exercise_and_its_question()
     let step = format!("<code>raystep step lessons/gallery/scene.json {x},{y}</code>");
     assert!(caption.contains(&step), "{caption}");
     assert!(
-        caption.contains("<code>l04_coefficients</code>"),
+        caption.contains("Exercise: <code>l04_roots</code>, <code>l04_root_that_counts</code>."),
         "{caption}"
     );
     let link = "<a href=\"#raystep-question-04-sphere-half-b\">04-sphere/half-b</a>";
@@ -321,6 +321,7 @@ fn below_the_picture_of_a_mistake_stand_its_step_its_exercise_and_its_question()
     let (caption, _) = caption.split_once("</figcaption>").unwrap();
     let command = "<code>raystep figure gallery/half-b-in-the-full-formula --stage 2</code>";
     assert_eq!(caption, command);
+    assert!(puzzle.contains("_title\">A puzzle</title>"), "{puzzle}");
     // neither does the drawing, up to that stage: the mistake's own sentence comes after both pictures
     let drawn: String = puzzle.split("<text").skip(1).collect();
     assert!(!drawn.contains("factor 2"), "{drawn}");

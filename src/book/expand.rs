@@ -248,8 +248,11 @@ impl<'a> Expander<'a> {
         }
         let id = self.id(&named.name);
         let svg = drawing(named, &id, up_to)?;
-        // the caption would tell the answer
-        let words = if is_puzzle { "" } else { &named.spec.caption };
+        // title and caption would tell the answer, and so would what a whole drawing is said to show
+        let (svg, words) = match is_puzzle {
+            true => (untold(&svg, up_to.is_none()), ""),
+            false => (svg, named.spec.caption.as_str()),
+        };
         let mut caption = self.caption(words, &command);
         let traced = named.traced.first();
         if let Some(mistake) = traced.and_then(|of| of.of_pixels.mistake.as_ref())
@@ -336,6 +339,28 @@ impl<'a> Expander<'a> {
         self.ids.insert(free.clone());
         free
     }
+}
+
+/// A drawing without its title and, if it is whole, without its description.
+fn untold(svg: &str, is_whole: bool) -> String {
+    let mut told = vec![("title", "A puzzle")];
+    if is_whole {
+        told.push((
+            "desc",
+            "What is seen here is told where the puzzle is answered.",
+        ));
+    }
+    told.into_iter().fold(svg.to_owned(), |svg, (tag, words)| {
+        let inner = svg.find(&format!("<{tag} ")).and_then(|at| {
+            let start = at + svg[at..].find('>')? + 1;
+            let end = start + svg[start..].find(&format!("</{tag}>"))?;
+            Some(start..end)
+        });
+        match inner {
+            Some(inner) => format!("{}{words}{}", &svg[..inner.start], &svg[inner.end..]),
+            None => svg,
+        }
+    })
 }
 
 /// The drawing of a figure, on one line.
