@@ -249,9 +249,10 @@ impl<'a> Expander<'a> {
         let id = self.id(&named.name);
         let svg = drawing(named, &id, up_to)?;
         // title and caption would tell the answer, and so would what a whole drawing is said to show
-        let (svg, words) = match is_puzzle {
-            true => (untold(&svg, up_to.is_none()), ""),
-            false => (svg, named.spec.caption.as_str()),
+        let (svg, words) = if is_puzzle {
+            (untold(&svg, up_to.is_none()), "")
+        } else {
+            (svg, named.spec.caption.as_str())
         };
         let mut caption = self.caption(words, &command);
         let traced = named.traced.first();
