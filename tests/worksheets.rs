@@ -310,9 +310,9 @@ fn closed_form(asked: &Asked, file: &Value, place: &str) -> bool {
     }
 }
 
-/// An eye that moved made the half-line pass beside the corner through which it runs, as the text says.
+/// An eye that moved made the half-line pass beside the vertex through which it runs, as the text says.
 #[test]
-fn a_half_line_through_a_corner_runs_through_it_on_every_sheet() {
+fn a_half_line_through_a_vertex_runs_through_it_on_every_sheet() {
     let library = course().unwrap();
     let lesson = library
         .lessons
@@ -327,15 +327,15 @@ fn a_half_line_through_a_corner_runs_through_it_on_every_sheet() {
     let mut checked = 0;
     for seed in 0..20 {
         let sheet = sheet(&library, lesson, seed);
-        let of_corner = sheet
+        let of_vertex = sheet
             .items
             .iter()
-            .filter(|item| item.asked.name == "a-corner-at-the-height");
-        for item in of_corner {
+            .filter(|item| item.asked.name == "a-vertex-at-the-height");
+        for item in of_vertex {
             let text = &item.asked.text;
             assert_eq!(
                 height(text, "p′ = ("),
-                height(text, "the corner ("),
+                height(text, "the vertex ("),
                 "{seed}: {text}"
             );
             checked += 1;
