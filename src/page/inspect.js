@@ -364,12 +364,17 @@ async function predict(does) {
   await show();
 }
 
+// The filter that holds, as it was typed; the field shows it.
+let filter = "";
+const findInput = at(".find input");
+
 // The steps that a filter names, as in a terminal.
 async function find(text) {
   // the stroke that the key wrote in a terminal may stand before them
   const words = text.replace(/^\//, "").match(/(?:"[^"]*"|[^\s"])+/g) ?? [];
   if (words.length === 0) {
     targets = undefined;
+    filter = "";
     say("the targets are what is of interest");
     return;
   }
@@ -408,6 +413,7 @@ async function find(text) {
       }
     }
   });
+  filter = text;
   targets = [...found].map((number) => ({ number, events: steps[number].events }));
   targets.sort((a, b) => a.events[0] - b.events[0] || b.events[1] - a.events[1]);
   const many = found.size === 0 ? "no step is" : found.size === 1 ? "1 step is" : `${found.size} steps are`;
@@ -447,6 +453,10 @@ async function toPixel(x, y, address) {
   seen = new Set();
   places = [];
   targets = undefined;
+  // as in a terminal, the filter stays from pixel to pixel
+  if (filter !== "") {
+    await find(filter);
+  }
   parts.drawings.replaceChildren(...data.head.views.map(({ title, svg }) => {
     const figure = made("figure", { tabindex: 0, "aria-label": title }, made("figcaption", {}, title));
     // made by the program, with every name in it as text
@@ -499,7 +509,10 @@ const KEYS = {
   Backspace: moves.leafBack,
   n: moves.target,
   N: moves.targetBack,
-  "/": () => at(".find input").select(),
+  "/": () => {
+    findInput.value = "";
+    findInput.focus();
+  },
   w: moves.who,
   W: () => whoList.focus(),
   g: () => at(".goto input").select(),
@@ -585,11 +598,14 @@ at(".goto").addEventListener("submit", (event) => {
 
 at(".find").addEventListener("submit", (event) => {
   event.preventDefault();
-  const text = new FormData(event.target).get("text");
   queue(async () => {
-    await find(text);
+    await find(findInput.value);
     toTree();
   });
+});
+// what is left without Enter is not the filter
+findInput.addEventListener("blur", () => {
+  findInput.value = filter;
 });
 
 at(".layers").addEventListener("click", (event) => {

@@ -125,6 +125,44 @@ test("a filter names the steps that the terminal names", async () => {
   await close();
 });
 
+test("/ begins a new filter: Enter alone leaves the old one, Escape keeps it, and it holds for the next pixel", async () => {
+  const { page, faults, close, says, press } = await opened("ball.html#4,4:0");
+  const field = page.getByLabel("Filter");
+  const isLeft = () => page.waitForFunction(() => !document.activeElement.matches("input"));
+  await press("/");
+  assert.equal(await field.inputValue(), "");
+  await page.keyboard.type("kind=sphere_test object=far");
+  await press("Enter");
+  await says("2 steps are named by the filter");
+  await isLeft();
+  // the field says which filter holds
+  assert.equal(await field.inputValue(), "kind=sphere_test object=far");
+  await press("/");
+  assert.equal(await field.inputValue(), "");
+  await page.keyboard.type("kind=shade");
+  await press("Escape");
+  assert.equal(await field.inputValue(), "kind=sphere_test object=far");
+  // the next pixel has a test against the far sphere, too
+  await press("Shift+ArrowLeft");
+  await page.getByText("Pixel 3,4 of 9 × 9").waitFor();
+  assert.equal(await field.inputValue(), "kind=sphere_test object=far");
+  await press("Home", "n");
+  await page.locator(".raystep-words .raystep-title").filter({ hasText: "far: sphere" }).waitFor();
+  // what is typed wrongly is told, and the old filter holds
+  await press("/");
+  await page.keyboard.type("colour=4");
+  await press("Enter");
+  await says('raystep step looks at "colour" too');
+  await isLeft();
+  assert.equal(await field.inputValue(), "kind=sphere_test object=far");
+  await press("/", "Enter");
+  await says("the targets are what is of interest");
+  await isLeft();
+  assert.equal(await field.inputValue(), "");
+  assert.deepEqual(faults, []);
+  await close();
+});
+
 test("who set a value is chosen by its word", async () => {
   const { page, faults, close, title, says, press } = await opened("ball.html#4,4:10");
   const words = () => page.getByLabel("Who set which value").locator("option").allTextContents();
