@@ -204,6 +204,7 @@ pub(in crate::step) fn told_of(
         None => "of interest",
     };
     let mut told = vec![match targets.len() {
+        0 => format!("no step is {what}"),
         1 => format!("1 step is {what}"),
         many => format!("{many} steps are {what}"),
     }];

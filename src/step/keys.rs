@@ -169,7 +169,12 @@ pub const KEYS: &[Key] = &[
         "event before",
         Command::Move(Move::PreviousLeaf)
     ),
-    key!("n", ["n"], "next target", Command::NextTarget),
+    key!(
+        "n",
+        ["n"],
+        "next target: a step of interest, or one that / names",
+        Command::NextTarget
+    ),
     key!("N", ["N"], "target before", Command::PreviousTarget),
     key!(
         "/",
@@ -182,7 +187,7 @@ pub const KEYS: &[Key] = &[
         "w",
         ["w", "who"],
         "[VALUE]",
-        "who set this value: the step that did; w t: the nearest t",
+        "who set this value: the step that did; in a script w t: the nearest t",
         who
     ),
     key!(

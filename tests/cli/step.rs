@@ -477,7 +477,7 @@ fn a_filter_that_finds_no_object_says_why() {
     let step = "step scene.json 80,60 --strategy";
     let missed = told(&format!("{step} hierarchy"), "/object=C");
     let (_, missed) = missed
-        .split_once("\n0 steps are named by the filter\n")
+        .split_once("\nno step is named by the filter\n")
         .unwrap();
     assert!(
         missed.starts_with("no ray of this pixel enters the leaf that holds \"C\": "),
