@@ -55,9 +55,9 @@ fn a_new_course_uses_each_directive_and_builds_at_once() {
             ".gitignore",
             "book.toml",
             "lessons",
-            "links.css",
             "map.json",
-            "src"
+            "src",
+            "style.css"
         ]
     );
     let chapter = fs::read_to_string(dir.join("src/ball.md")).unwrap();

@@ -60,7 +60,7 @@ pub(super) fn table(
         .ok_or("there are no strategies to compare")?;
     let body: String = body.iter().map(|cells| row(cells, "td")).collect();
     Ok(format!(
-        "<div class=\"table-wrapper\"><table class=\"raystep-compare\"><caption>{}</caption><thead>{}</thead><tbody>{body}</tbody></table></div>",
+        "<div class=\"table-wrapper\" tabindex=\"0\" role=\"group\" aria-label=\"Costs\"><table class=\"raystep-compare\"><caption>{}</caption><thead>{}</thead><tbody>{body}</tbody></table></div>",
         escaped(&title),
         row(head, "th")
     ))

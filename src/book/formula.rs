@@ -178,7 +178,14 @@ pub(super) fn mathml(latex: &str, is: Is) -> Result<String, String> {
         };
         format!("this formula is no LaTeX, {place}: {error}\n  mend it")
     })?;
-    Ok(without_marks(&converted.mathml))
+    let mathml = without_marks(&converted.mathml);
+    Ok(match display {
+        MathDisplay::Inline => mathml,
+        // what is wider than the page scrolls, also by the keys
+        MathDisplay::Block => {
+            format!("<span class=\"raystep-formula\" tabindex=\"0\">{mathml}</span>")
+        }
+    })
 }
 
 /// HTML in whose text no character is a mark of Markdown or of mdBook, on one line.
@@ -315,7 +322,7 @@ mod tests {
         let block = mathml("\\frac{1}{2}", Is::Display).unwrap();
         assert_eq!(
             block,
-            "<math display=\"block\"><mfrac><mn>1</mn><mn>2</mn></mfrac></math>"
+            "<span class=\"raystep-formula\" tabindex=\"0\"><math display=\"block\"><mfrac><mn>1</mn><mn>2</mn></mfrac></math></span>"
         );
     }
 

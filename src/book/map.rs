@@ -80,7 +80,7 @@ pub(super) fn map(
     ];
     let head = head.map(|name| ["<th>", name, "</th>"].concat()).concat();
     Ok(format!(
-        "<div class=\"table-wrapper\"><table class=\"raystep-map\"><thead><tr>{head}</tr></thead><tbody>{body}</tbody></table></div>"
+        "<div class=\"table-wrapper\" tabindex=\"0\" role=\"group\" aria-label=\"Map\"><table class=\"raystep-map\"><thead><tr>{head}</tr></thead><tbody>{body}</tbody></table></div>"
     ))
 }
 

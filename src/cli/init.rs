@@ -22,10 +22,10 @@ const FILES: [(&str, &str); 10] = [
         "lessons/01-ball/scene.json",
         include_str!("init/scene.json"),
     ),
-    ("links.css", include_str!("init/links.css")),
     ("map.json", include_str!("init/map.json")),
     ("src/SUMMARY.md", include_str!("init/SUMMARY.md")),
     ("src/ball.md", include_str!("init/ball.md")),
+    ("style.css", include_str!("../../book/style.css")),
 ];
 
 /// Writes a new course.
