@@ -450,7 +450,7 @@ fn told(figure: &str) -> (Vec<String>, Vec<String>) {
 fn steppers(content: &str) -> Vec<&str> {
     let lines = content.lines();
     lines
-        .filter(|line| line.starts_with("<figure class=\"raystep raystep-stepper\""))
+        .filter(|line| line.starts_with("<div class=\"raystep-stepper\""))
         .collect()
 }
 

@@ -272,7 +272,7 @@ impl<'a> Expander<'a> {
     /// The figure with its steps. In the first stepper of a chapter its lines begin with the script of all.
     fn stepper(&mut self, named: &Named, words: &[String], begins: &str) -> Result<String, String> {
         let asked = Asked::new(words)?;
-        let steps = asked.steps(named.spec, first(named)?)?;
+        let (steps, until) = asked.steps(named.spec, first(named)?)?;
         let id = self.id(&named.name);
         let command = format!("raystep figure {}", named.name);
         let figure = stepper(&Stepper {
@@ -280,6 +280,7 @@ impl<'a> Expander<'a> {
             id: &format!("{id}_figure"),
             caption: &self.caption(&named.spec.caption, &command),
             steps: &steps,
+            until: until.as_ref(),
             predicts: asked.predicts,
         });
         Ok(self.with_script(figure, begins))

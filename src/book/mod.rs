@@ -18,6 +18,7 @@ mod project;
 mod protocol;
 mod question;
 mod run;
+mod same_trace;
 mod stepper;
 mod value;
 mod words;

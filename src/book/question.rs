@@ -7,6 +7,7 @@ use std::fmt::Write;
 use crate::book::html::prose;
 use crate::book::places::{Places, answer_id, figure_id, link, question_id};
 use crate::book::run::for_shell;
+use crate::book::same_trace::place_of;
 use crate::explain::render::escaped;
 use crate::lesson::question::{Asked, Form};
 use crate::lesson::{Lesson, Library};
@@ -104,7 +105,7 @@ impl<'a> Questions<'a> {
         let scene = for_shell(&format!("{lessons}/{}/{}", place.lesson, place.scene));
         let command = format!("raystep step {scene} {x},{y} --at {}", place.step);
         Ok(format!(
-            "Look at the step: <code>{}</code>",
+            "Look at <span class=\"raystep-look\">the step</span>: <code>{}</code>",
             escaped(&command)
         ))
     }
@@ -243,6 +244,11 @@ fn data(asked: &Asked, name: &str) -> QuizData {
     let data = QuizData {
         name: name.into(),
         answer: asked.answer_text(),
+        place: place_of(
+            &asked.traced.scene,
+            &asked.traced.records,
+            asked.place.event,
+        ),
         ..QuizData::default()
     };
     match &asked.form {

@@ -1,8 +1,9 @@
 //! `{{#raystep NAME stepper}}`: which steps of a figure are stepped through.
 
+use crate::book::same_trace::place_of;
 use crate::book::words::{unknown_option, whole_log};
 use crate::figure::{DrawnUpTo, FigureSpec, Traced};
-use crate::page::PixelSteps;
+use crate::page::{PixelSteps, TracePlace};
 use crate::scene::{nearest_name, quoted};
 use crate::step::{Address, Grain, Level, StepLog};
 
@@ -50,11 +51,15 @@ impl Asked {
         Ok(asked)
     }
 
-    /// The steps of a figure that are asked for.
+    /// The steps of a figure that are asked for, and where the last one is.
     ///
     /// # Errors
     /// The figure has no steps, not these, or too many.
-    pub(super) fn steps(&self, spec: &FigureSpec, traced: &Traced) -> Result<PixelSteps, String> {
+    pub(super) fn steps(
+        &self,
+        spec: &FigureSpec,
+        traced: &Traced,
+    ) -> Result<(PixelSteps, Option<TracePlace>), String> {
         let pixel = self.pixel(spec)?;
         let records = traced.of_pixel(pixel);
         let settings = whole_log(traced);
@@ -87,7 +92,9 @@ impl Asked {
             ));
         }
         let drawn = DrawnUpTo::new(spec.kind, traced);
-        Ok(PixelSteps::of_walk(&log, &walk, &drawn))
+        let end = walk.last().map_or(0, |&step| log.step(step).events.end);
+        let until = place_of(&traced.scene, &records, end.saturating_sub(1));
+        Ok((PixelSteps::of_walk(&log, &walk, &drawn), until))
     }
 
     /// The pixel that an address names, or the first of the figure.

@@ -33,4 +33,4 @@ pub use inspect::{HeatOverlay, InspectPage, PageTooLarge};
 pub use packed::{PackedPixel, View};
 pub use quiz::{Quiz, QuizData, quiz, told};
 pub use stepper::{Stepper, shared, stepper};
-pub use steps::{LineFace, MovesFace, PixelSteps, QuestionFace, StepFace};
+pub use steps::{LineFace, MovesFace, PixelSteps, QuestionFace, StepFace, TracePlace};

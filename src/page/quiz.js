@@ -41,7 +41,23 @@ class Quiz {
       }
     });
     root.classList.add("raystep-live");
+    this.look();
     this.show(this.valid(stored(this.key)));
+  }
+
+  // Where a stepper of the page shows the step, the words lead there.
+  look() {
+    const { place } = this.data;
+    const words = this.details.querySelector(".raystep-look");
+    for (const stepper of place === undefined ? [] : steppers) {
+      const step = stepper.placeOf(place);
+      if (0 <= step) {
+        const link = made("a", { href: `#${stepper.figure.id}` }, words.textContent);
+        link.addEventListener("click", () => stepper.reveal(step));
+        words.replaceChildren(link);
+        return;
+      }
+    }
   }
 
   build(form) {
@@ -51,7 +67,7 @@ class Quiz {
     } else if (form === "several") {
       this.boxes = this.items.map((item) => {
         const box = made("input", { type: "checkbox" });
-        item.replaceChildren(made("label", {}, box, " ", ...item.childNodes));
+        item.replaceChildren(made("label", {}, box, ...item.childNodes));
         return box;
       });
       check(() => this.give(this.boxes.flatMap((box, place) => (box.checked ? [place] : []))));

@@ -9,7 +9,7 @@ use serde::Serialize;
 
 use crate::explain::render::escaped;
 use crate::page::json::inline_json;
-use crate::page::steps::LineFace;
+use crate::page::steps::{LineFace, TracePlace};
 
 /// A question as a page shows it.
 #[derive(Clone, Debug)]
@@ -51,6 +51,9 @@ pub struct QuizData {
     pub unit: Option<String>,
     /// The answer in words.
     pub answer: String,
+    /// The step that it is about. A stepper of the page that goes through the same trace shows it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub place: Option<TracePlace>,
 }
 
 /// The question, on one line.

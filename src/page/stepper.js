@@ -3,7 +3,9 @@
 class Stepper {
   constructor(figure) {
     this.figure = figure;
-    this.steps = JSON.parse(figure.querySelector("script").textContent).steps;
+    const { steps, until } = JSON.parse(figure.querySelector("script").textContent);
+    this.steps = steps;
+    this.until = until;
     this.groups = [...figure.querySelectorAll("svg [data-step]")];
     this.predicts = figure.hasAttribute("data-predict");
     // the steps whose question was answered or skipped
@@ -105,6 +107,19 @@ class Stepper {
     });
   }
 
+  // The place that holds a step of a trace, if this is a stepper of that trace.
+  placeOf({ trace, step }) {
+    const isShown = this.until?.trace === trace && step <= this.until.step;
+    return isShown ? this.steps.findLastIndex(({ at }) => Number(at) <= step) : -1;
+  }
+
+  // Shows a step with its verdict; the keys are those of the figure.
+  reveal(place) {
+    this.seen.add(place);
+    this.go(place);
+    this.range.focus({ preventScroll: true });
+  }
+
   answer(choice) {
     if (!this.asks(this.here) || (choice !== undefined && this.steps[this.here].question.choices.length <= choice)) {
       return;
@@ -151,9 +166,10 @@ class Stepper {
 }
 
 // A page may hold several chapters, each with this script.
+const steppers = [];
 function begin() {
   for (const figure of document.querySelectorAll(".raystep-stepper:not(.raystep-live)")) {
-    new Stepper(figure);
+    steppers.push(new Stepper(figure));
   }
 }
 

@@ -5,9 +5,11 @@
 
 use std::fmt::Write;
 
+use serde::Serialize;
+
 use crate::explain::render::escaped;
 use crate::page::json::inline_json;
-use crate::page::steps::{PixelSteps, StepFace};
+use crate::page::steps::{PixelSteps, StepFace, TracePlace};
 
 /// What a stepper shows.
 #[derive(Clone, Copy, Debug)]
@@ -20,8 +22,19 @@ pub struct Stepper<'a> {
     pub caption: &'a str,
     /// The steps.
     pub steps: &'a PixelSteps,
+    /// The last step that it shows, and the trace. `None` if it goes beyond a pixel.
+    pub until: Option<&'a TracePlace>,
     /// Is the question asked before the verdict is shown?
     pub predicts: bool,
+}
+
+/// What the script knows.
+#[derive(Serialize)]
+struct Data<'a> {
+    #[serde(flatten)]
+    steps: &'a PixelSteps,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    until: Option<&'a TracePlace>,
 }
 
 /// The figure of a stepper, on one line.
@@ -31,19 +44,20 @@ pub fn stepper(stepper: &Stepper) -> String {
         id,
         caption,
         steps,
+        until,
         predicts,
-    } = stepper;
-    let predict = if *predicts { " data-predict" } else { "" };
+    } = *stepper;
+    let predict = if predicts { " data-predict" } else { "" };
     let heading = match steps.steps.len() {
         1 => "1 step".into(),
         many => format!("All {many} steps"),
     };
     let items: String = steps.steps.iter().map(item).collect();
     format!(
-        "<figure class=\"raystep raystep-stepper\" id=\"{id}\"{predict}>{svg}<figcaption>{caption}</figcaption>\
+        "<div class=\"raystep-stepper\" id=\"{id}\"{predict}><figure class=\"raystep\">{svg}<figcaption>{caption}</figcaption></figure>\
          <p class=\"raystep-heading\">{heading}</p><ol class=\"raystep-list\">{items}</ol>\
-         <script type=\"application/json\">{}</script></figure>",
-        inline_json(steps)
+         <script type=\"application/json\">{}</script></div>",
+        inline_json(&Data { steps, until })
     )
 }
 
@@ -90,7 +104,7 @@ pub fn shared() -> String {
     let script = script.lines().filter(|line| !line.trim().is_empty());
     let script: Vec<&str> = script.collect();
     format!(
-        "<style>\n{}\n</style>\n<script>\n(() => {{\n\"use strict\";\n{}\n}})();\n</script>",
+        "<div><style>\n{}\n</style>\n<script>\n(() => {{\n\"use strict\";\n{}\n}})();\n</script></div>",
         style.trim_end(),
         script.join("\n")
     )

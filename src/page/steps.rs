@@ -15,6 +15,15 @@ pub struct PixelSteps {
     pub walks: Vec<Vec<usize>>,
 }
 
+/// A step of a trace, for who looks for it on a page.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct TracePlace {
+    /// The name of the trace: two traces of one page with the same name have the same events.
+    pub trace: String,
+    /// The step, as `step` in the log.
+    pub step: u32,
+}
+
 /// A step as a page shows it.
 #[derive(Clone, Debug, Serialize)]
 pub struct StepFace {

@@ -124,6 +124,66 @@ test("a question and its answer lead to each other", async () => {
   await close();
 });
 
+test("a question leads to its step in a stepper of the page, and the verdict is shown there", async () => {
+  const { page, faults, close } = await open(browser, at("look.html"));
+  const { root, details } = quiz(page, "root");
+  await root.locator("ol > li > button").first().click();
+  // the command stays
+  await details.getByText("raystep step lessons/01-ball/ball.json 4,4 --at").waitFor();
+  await details.getByRole("link", { name: "the step" }).click();
+  const steppers = page.locator(".raystep-stepper");
+  const [before, other, right] = await steppers.all();
+  assert.equal(await steppers.count(), 3);
+  assert.equal(new URL(page.url()).hash, `#${await right.getAttribute("id")}`);
+  const { steps } = JSON.parse(await right.locator("script").textContent());
+  const tests = steps.filter(({ title }) => title.includes("ball") && title.includes("t = 4"));
+  const said = await right.locator(".raystep-words[role=status] .raystep-title").textContent();
+  assert.ok(tests.some(({ title }) => title === said), said);
+  // the stepper asks before each verdict, but not before this one
+  assert.equal(await right.locator(".raystep-panel .raystep-choices button").count(), 0);
+  for (const stays of [before, other]) {
+    assert.match(await stays.locator(".raystep-count").textContent(), /^1 of /);
+  }
+  // the keys are those of the stepper
+  const here = Number.parseInt(await right.locator(".raystep-count").textContent(), 10);
+  await page.keyboard.press("ArrowDown");
+  assert.match(await right.locator(".raystep-count").textContent(), new RegExp(`^${here + 1} of `));
+  assert.deepEqual(faults, []);
+  await close();
+});
+
+test("where no stepper shows the step of a question, the command alone leads to it", async () => {
+  const { page, faults, close } = await open(browser, at("questions.html"));
+  const { root, details } = quiz(page, "root");
+  await root.locator("ol > li > button").first().click();
+  await details.getByText("raystep step lessons/01-ball/ball.json 4,4 --at").waitFor();
+  assert.equal(await details.locator(".raystep-look").textContent(), "the step");
+  assert.equal(await details.locator(".raystep-look a").count(), 0);
+  assert.deepEqual(faults, []);
+  await close();
+});
+
+test("the letter of a choice stands beside its first line", async () => {
+  const { page, close } = await open(browser, at("questions.html"), { width: 390 });
+  // a letter stands on the first baseline: that of a box in the line of the item
+  const off = await page.evaluate(() => {
+    const item = document.querySelector(".raystep-quiz > ol > li");
+    const button = item.querySelector("button");
+    button.textContent = "word ".repeat(30);
+    const mark = document.createElement("span");
+    mark.textContent = "a";
+    item.prepend(mark);
+    button.style.width = "auto";
+    button.style.maxWidth = "80%";
+    const letter = mark.getBoundingClientRect();
+    const box = button.getBoundingClientRect();
+    return [letter.top - box.top, letter.height, box.height];
+  });
+  assert.ok(off[1] * 3 < off[2], `one line: ${off}`);
+  assert.ok(off[0] < off[1], `the letter is ${off[0]} below the top of its choice`);
+  await close();
+});
+
 for (const theme of ["light", "rust", "coal", "navy", "ayu"]) {
   test(`axe-core finds nothing in questions and answers: ${theme}`, async () => {
     for (const width of [390, 1440]) {

@@ -6,11 +6,7 @@ pub(super) struct Shuffle(u64);
 
 impl Shuffle {
     pub(super) fn new(lesson: &str, name: &str) -> Self {
-        // FNV-1a, 64 bits (Fowler, Noll, Vo 1991)
-        let bytes = lesson.bytes().chain([b'/']).chain(name.bytes());
-        Self(bytes.fold(0xcbf2_9ce4_8422_2325, |hash, byte| {
-            (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3)
-        }))
+        Self(fnv_1a(lesson.bytes().chain([b'/']).chain(name.bytes())))
     }
 
     /// The places 0 to `count` − 1 in another order.
@@ -31,6 +27,13 @@ impl Shuffle {
     }
 }
 
+/// A hash of some bytes: FNV-1a, 64 bits (Fowler, Noll, Vo 1991). It is the same on every machine.
+pub(crate) fn fnv_1a(bytes: impl Iterator<Item = u8>) -> u64 {
+    bytes.fold(0xcbf2_9ce4_8422_2325, |hash, byte| {
+        (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3)
+    })
+}
+
 /// A number whose bits all depend on those of another one (the finaliser of SplitMix64, Steele, Lea, Flood 2014).
 fn spread(mut bits: u64) -> u64 {
     bits = bits.wrapping_add(0x9e37_79b9_7f4a_7c15);
@@ -42,6 +45,14 @@ fn spread(mut bits: u64) -> u64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn the_hash_is_that_of_its_authors() {
+        // draft-eastlake-fnv, table of test vectors
+        assert_eq!(fnv_1a("".bytes()), 0xcbf2_9ce4_8422_2325);
+        assert_eq!(fnv_1a("a".bytes()), 0xaf63_dc4c_8601_ec8c);
+        assert_eq!(fnv_1a("foobar".bytes()), 0x8594_4171_f739_67e8);
+    }
 
     #[test]
     fn every_item_is_there_once_and_the_first_comes_to_each_place() {
