@@ -166,7 +166,7 @@ const moves = {
   out: async () => go(await jump((await stepOf(here)).out), "nothing is around this step"),
   leaf: async () => go(await jump((await stepOf(here)).leaf), "this is the last step"),
   leafBack: async () => go(await jump((await stepOf(here)).leafBack), "this is the first step"),
-  target: async () => go(await target(1), "there is no target behind this step"),
+  target: async () => go(await target(1), "there is no target after this step"),
   targetBack: async () => go(await target(-1), "there is no target before this step"),
   first: () => go([data.head.walks[walk][0], walk]),
   last: () => go([data.head.walks[walk].at(-1), walk]),
@@ -360,6 +360,7 @@ async function give(choice) {
 async function predict(does) {
   predicts = does;
   seen.clear();
+  say("");
   at(".predicts").checked = predicts;
   await show();
 }

@@ -128,7 +128,7 @@ impl<'a, 'l> Reader<'a, 'l> {
             }
             Command::NextTarget => {
                 let next = self.cursor.next_of(self.log, &self.targets);
-                self.go(next, "there is no target behind this step")
+                self.go(next, "there is no target after this step")
             }
             Command::PreviousTarget => {
                 let previous = self.cursor.previous_of(self.log, &self.targets);

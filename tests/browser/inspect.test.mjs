@@ -70,7 +70,7 @@ test("keys step along, into and out, and the address, the tree and the state fol
   await press("End");
   await title("colour of the pixel");
   await press("n");
-  await says("there is no target behind this step");
+  await says("there is no target after this step");
   await press("N", "N");
   assert.deepEqual(faults, []);
   await close();

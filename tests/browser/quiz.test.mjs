@@ -135,10 +135,7 @@ test("a question leads to its step in a stepper of the page, and the verdict is 
   const [before, other, right] = await steppers.all();
   assert.equal(await steppers.count(), 3);
   assert.equal(new URL(page.url()).hash, `#${await right.getAttribute("id")}`);
-  const { steps } = JSON.parse(await right.locator("script").textContent());
-  const tests = steps.filter(({ title }) => title.includes("ball") && title.includes("t = 4"));
-  const said = await right.locator(".raystep-words[role=status] .raystep-title").textContent();
-  assert.ok(tests.some(({ title }) => title === said), said);
+  assert.equal(await right.locator(".raystep-words[role=status] .raystep-title").textContent(), "ball: sphere: hit");
   // the stepper asks before each verdict, but not before this one
   assert.equal(await right.locator(".raystep-panel .raystep-choices button").count(), 0);
   for (const stays of [before, other]) {
