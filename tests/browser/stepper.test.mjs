@@ -247,8 +247,8 @@ test("in print the figure is whole and the list says all, on the page of all cha
 
 test("every stepper of the page of all chapters works", async () => {
   const { page, faults, close } = await open(browser, at("print.html"));
-  await page.locator(".raystep-live").nth(3).waitFor();
-  assert.equal(await page.locator(".raystep-panel").count(), 4);
+  await page.locator(".raystep-live").nth(6).waitFor();
+  assert.equal(await page.locator(".raystep-panel").count(), 7);
   const { range, title } = stepper(page, 0);
   await range.fill("2");
   await title("ball: sphere: hit");
