@@ -39,7 +39,7 @@ pub(super) fn table(words: &[String], library: &Library) -> Result<String, Strin
         return Err("no exercise of this lesson knows a mistake\n  omit the directive".into());
     }
     Ok(format!(
-        "<div class=\"table-wrapper\"><table class=\"raystep-mistakes\"><thead><tr><th>Mistake</th><th>What it does</th>\
+        "<div class=\"table-wrapper\" tabindex=\"0\" role=\"group\" aria-label=\"Mistakes\"><table class=\"raystep-mistakes\"><thead><tr><th>Mistake</th><th>What it does</th>\
          <th>It spoils</th><th>Exercise</th></tr></thead><tbody>{rows}</tbody></table></div>"
     ))
 }
