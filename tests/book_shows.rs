@@ -40,7 +40,7 @@ fn formulas_come_out_as_mathml_and_hold_numbers_of_a_trace() {
     assert!(page.contains("<mn>4</mn>"), "{page}");
     assert!(page.contains("cost $5."), "{page}");
     assert!(page.contains("<code>$code$</code>"), "{page}");
-    assert!(page.contains("</math> <em>then</em>"), "{page}");
+    assert!(page.contains("</math></span> <em>then</em>"), "{page}");
     // no mark of Markdown inside of a formula, and none of the rest is left
     for math in page.split("<math").skip(1) {
         let math = math.split("</math>").next().unwrap();
