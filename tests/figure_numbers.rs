@@ -8,7 +8,7 @@ use raystep::{Event, FigureName, Record, Rendition, Traced, Width};
 use crate::figures::{library, texts_of};
 
 /// The letters of a lesson's figure, its alt text, and its trace.
-fn drawn(name: &str) -> (Vec<Traced>, Vec<String>) {
+pub(crate) fn drawn(name: &str) -> (Vec<Traced>, Vec<String>) {
     let library = library();
     let figure: FigureName = name.parse().unwrap();
     let (lesson, spec) = library.find(&figure).unwrap();
@@ -25,17 +25,17 @@ fn drawn(name: &str) -> (Vec<Traced>, Vec<String>) {
 }
 
 #[track_caller]
-fn has(texts: &[String], part: &str) {
+pub(crate) fn has(texts: &[String], part: &str) {
     let found = texts.iter().any(|text| text.contains(part));
     assert!(found, "no {part:?} among {texts:?}");
 }
 
-fn all<T>(records: &[Record], of: impl Fn(&Record) -> Option<T>) -> Vec<T> {
+pub(crate) fn all<T>(records: &[Record], of: impl Fn(&Record) -> Option<T>) -> Vec<T> {
     records.iter().filter_map(of).collect()
 }
 
 /// A number as a figure has it: so many digits, without zeros at the end, with a minus.
-fn digits(value: f64, decimals: usize) -> String {
+pub(crate) fn digits(value: f64, decimals: usize) -> String {
     let text = format!("{:.decimals$}", value.abs());
     let text = text.trim_end_matches('0').trim_end_matches('.');
     let sign = if value < 0.0 { "−" } else { "" };

@@ -26,7 +26,7 @@ pub(crate) fn library() -> Library {
 }
 
 /// Each figure with its trace, made once for all tests.
-fn traced() -> &'static [(FigureName, FigureSpec, Vec<Traced>)] {
+pub(crate) fn traced() -> &'static [(FigureName, FigureSpec, Vec<Traced>)] {
     static TRACED: OnceLock<Vec<(FigureName, FigureSpec, Vec<Traced>)>> = OnceLock::new();
     TRACED.get_or_init(|| {
         let library = library();
@@ -42,10 +42,16 @@ fn traced() -> &'static [(FigureName, FigureSpec, Vec<Traced>)] {
 }
 
 /// One of them by its name.
-fn figure(name: &str) -> (&'static FigureSpec, &'static [Traced]) {
+pub(crate) fn figure(name: &str) -> (&'static FigureSpec, &'static [Traced]) {
     let found = traced().iter().find(|(of, ..)| of.to_string() == name);
     let (_, spec, traced) = found.unwrap_or_else(|| panic!("there is no figure {name}"));
     (spec, traced)
+}
+
+/// The letters of a figure in a book.
+pub(crate) fn texts_of_drawn(spec: &FigureSpec, traced: &[Traced]) -> Vec<String> {
+    let drawn = draw(spec, traced, ID, Width::Book, Rendition::default());
+    texts_of(&drawn.unwrap().svg)
 }
 
 /// Both widths, and what is written differently.

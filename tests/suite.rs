@@ -14,6 +14,7 @@ mod exact;
 mod exercises;
 mod figure_coordinates;
 mod figure_numbers;
+mod figure_values;
 mod figures;
 mod grid_exact;
 mod index;

@@ -9,7 +9,7 @@ use crate::book::code::code;
 use crate::book::costs::table;
 use crate::book::directive::Directive;
 use crate::book::formula::in_latex;
-use crate::book::html::{one_line, prose};
+use crate::book::html::{one_line, prose, with_indices};
 use crate::book::map::map;
 use crate::book::mistakes;
 use crate::book::places::{Places, figure_id, question_id};
@@ -323,7 +323,10 @@ impl<'a> Expander<'a> {
         let command = escaped(&format!("{command}{lessons}"));
         match words {
             "" => format!("<code>{command}</code>"),
-            _ => format!("{} <code>{command}</code>", escaped(words)),
+            _ => {
+                let words = with_indices(&escaped(words));
+                format!("{words} <code>{command}</code>")
+            }
         }
     }
 

@@ -214,6 +214,11 @@ impl Word for FigureKind {
             "The quadratic with b and with half of b",
         ),
         (
+            Self::Stretched,
+            "stretched",
+            "An ellipsoid and its ray, and both where it is the unit sphere",
+        ),
+        (
             Self::PlaneCases,
             "plane-cases",
             "The planes of the first polygons, each with its case of (v)",

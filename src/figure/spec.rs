@@ -235,6 +235,8 @@ pub enum FigureKind {
     RootCases,
     /// The quadratic with b and with b′ = b/2: the same roots.
     Forms,
+    /// An ellipsoid and its ray, and both where it is the unit sphere.
+    Stretched,
     /// One ray and several planes, a panel each: ahead, behind, beside, around the ray.
     PlaneCases,
     /// The terms of the shade as bars over the angle between normal and light.

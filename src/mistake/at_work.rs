@@ -254,7 +254,10 @@ impl Parts for AtWork {
         self.note(|| {
             vec![
                 pair("start of the ray", both, |(start, _)| *start),
-                pair("ε", both, |(_, epsilon)| *epsilon),
+                pair("start above the surface", both, |(start, _)| {
+                    (*start - surface.point).dot(surface.across)
+                }),
+                pair("smallest t", both, |(_, epsilon)| *epsilon),
             ]
         });
         wrong

@@ -32,13 +32,13 @@ pub(super) const MISTAKES: &[Mistake] = &[
     },
     Mistake {
         name: "n − 1",
-        sentence: "The place is divided by the number of pixels less 1, so the picture is stretched.",
+        sentence: "The number of the pixel is divided by n − 1 and not by n, so the picture is stretched.",
         spoils: "point of the window",
         wrong: Wrong::WindowPoint(n_minus_1),
     },
     Mistake {
         name: "aspect twice",
-        sentence: "The horizontal distance from the middle is multiplied by width/height, which the window has in it already.",
+        sentence: "The horizontal distance from the middle is multiplied by width/height, although the window has that ratio already.",
         spoils: "point of the window",
         wrong: Wrong::WindowPoint(aspect_twice),
     },

@@ -31,7 +31,7 @@ pub(super) const MISTAKES: &[Mistake] = &[
     },
     Mistake {
         name: "no end test",
-        sentence: "Nothing ends the walk when the nearest hit lies in its cell, so every cell up to the end of the grid is visited.",
+        sentence: "The walk does not end when the nearest hit lies in its cell, so every cell up to the end of the grid is visited.",
         spoils: "number of cells",
         wrong: Wrong::WalkEnds(never),
     },

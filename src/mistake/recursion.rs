@@ -22,7 +22,7 @@ pub(super) const MISTAKES: &[Mistake] = &[
     },
     Mistake {
         name: "background at the limit",
-        sentence: "A ray beyond the depth limit brings the background instead of black.",
+        sentence: "A ray beyond the depth limit returns the background instead of black.",
         spoils: "I_reflected and I_refracted",
         wrong: Wrong::Shade(background_at_the_limit),
     },

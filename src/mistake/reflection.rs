@@ -20,7 +20,7 @@ pub(super) const MISTAKES: &[Mistake] = &[
     },
     Mistake {
         name: "D turned",
-        sentence: "The ray's direction is taken away from the surface, so R points the opposite way.",
+        sentence: "The direction of the ray is reversed before it is reflected, so R points the opposite way.",
         spoils: "R",
         wrong: Wrong::Reflect(direction_turned),
     },

@@ -15,13 +15,13 @@ pub(super) const MISTAKES: &[Mistake] = &[
     },
     Mistake {
         name: "only the sum clamped",
-        sentence: "The diffuse term may be negative and the specular one is kept behind the surface, since only their sum is cut off at 0.",
+        sentence: "Only the sum of the terms is cut off at 0, so behind the surface the diffuse term is negative and the specular one remains.",
         spoils: "diffuse and specular term",
         wrong: Wrong::LightTerm(only_the_sum_clamped),
     },
     Mistake {
         name: "R made of V",
-        sentence: "The viewer's direction is mirrored and compared with itself, instead of the light's with the viewer's.",
+        sentence: "V is mirrored instead of L, so R·V compares the viewer's direction with its own mirror image.",
         spoils: "R·V",
         wrong: Wrong::LightTerm(mirrored_viewer),
     },

@@ -6,7 +6,7 @@ use crate::mistake::{Mistake, Wrong};
 pub(super) const MISTAKES: &[Mistake] = &[
     Mistake {
         name: "divides by zero",
-        sentence: "T of a parallel ray is infinite and is used all the same, so 0·∞ has no value and a slab beside the ray has an interval.",
+        sentence: "T of a parallel ray is infinite and is used all the same, so 0·∞ has no value and a slab that the ray misses has an interval.",
         spoils: "near and far",
         wrong: Wrong::SlabInterval(divides_by_zero),
     },

@@ -102,7 +102,7 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
         PIXEL,
         "pixel",
         step_of(|event| matches!(event, Event::Pixel(_))),
-        format!("The two loops come to scan line {y} and its pixel {x}."),
+        format!("The two loops select scan line {y} and pixel {x} in it."),
     );
     let ray = run(
         sheet,

@@ -9,7 +9,7 @@ use crate::figure::parts::scenery;
 use crate::figure::sheet::Sheet;
 use crate::figure::sheet::canvas::quantity;
 use crate::figure::sheet::frame::Frame;
-use crate::figure::sheet::look::Look;
+use crate::figure::sheet::look::{Dash, Look};
 use crate::figure::sheet::stage::StageId;
 use crate::figure::sheet::text::{Text, formula};
 use crate::figure::spec::Layer;
@@ -297,7 +297,9 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
                 let [from, to] =
                     [line.connection.from, line.connection.to].map(|at| space.place(at));
                 let across = (to - from).perp().normalize_or_zero();
-                sheet.line(Look::ANSWER.outline(), from, to);
+                // in the place of the line that was there
+                sheet.line(Look::PAPER_LINE.wide(4.0), from, to);
+                sheet.line(WORKED, from, to);
                 sheet.label(space.frame, from.lerp(to, 0.4), across, formula("G"));
             });
         }
@@ -308,6 +310,12 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
     }
     Ok(in_words(figure, &both))
 }
+
+/// The connecting line whose working is shown: its pattern tells it from a path where there are no colours.
+const WORKED: Look = Look {
+    dash: Dash::TwoDots,
+    ..Look::ANSWER.outline()
+};
 
 /// A path from vertex to vertex, each with its name.
 fn walk(sheet: &mut Sheet, space: &Space, walk: &Walk, look: Look, name: &str) {

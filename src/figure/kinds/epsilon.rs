@@ -9,11 +9,11 @@ use crate::explain::Part;
 use crate::figure::error::FigureError;
 use crate::figure::kind::Kind;
 use crate::figure::parts::scenery;
-use crate::figure::sheet::canvas::quantity;
+use crate::figure::sheet::canvas::{in_powers, power_of_ten, quantity};
 use crate::figure::sheet::frame::Frame;
 use crate::figure::sheet::look::Look;
 use crate::figure::sheet::stage::StageId;
-use crate::figure::sheet::text::{Level, Run, Text, formula};
+use crate::figure::sheet::text::{Text, formula};
 use crate::figure::sheet::{Anchor, Sheet, Width};
 use crate::figure::subject::Figure;
 use crate::geometry::{PlaneVerdict, RootVerdict};
@@ -219,30 +219,11 @@ fn magnified(sheet: &mut Sheet, frame: Frame, start: &Start, [point, root]: [Sta
     });
 }
 
-/// A number in powers of ten, as 4.5·10⁻¹⁷.
+/// A number in powers of ten with two digits, as 4.5·10⁻¹⁷.
 fn powers(value: f64) -> Text {
     let sign = if value < 0.0 { "−" } else { "" };
-    let written = format!("{:.1e}", value.abs());
-    match written.split_once('e') {
-        Some((digits, power)) => {
-            let text = match digits {
-                "1.0" => Text::from(format!("{sign}10")),
-                _ => Text::from(format!("{sign}{digits}·10")),
-            };
-            text + exponent(power)
-        }
-        None => written.into(),
-    }
-}
-
-fn exponent(power: &str) -> Text {
-    Text {
-        runs: vec![Run {
-            letters: power.replace('-', "−"),
-            italic: false,
-            level: Level::Exponent,
-        }],
-    }
+    let written = format!("{:.1e}", value.abs()).replace(".0e", "e");
+    in_powers(&format!("{sign}{written}")).into()
 }
 
 /// The axis of powers of ten, with a row for each ray.
@@ -292,7 +273,7 @@ fn axis(
             sheet.line(Look::THIN, at - tick, at + tick);
             let text = match power {
                 0 => "1".into(),
-                _ => Text::from("10") + exponent(&power.to_string()),
+                _ => Text::from(power_of_ten(power)),
             };
             sheet.text(Anchor::Middle, at + DVec2::new(0.0, 0.8 * line), text);
         }

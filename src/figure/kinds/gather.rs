@@ -1,25 +1,29 @@
 //! The photons nearest to a point, as they lie on its surface, and the density that follows from them (slides, "Type
 //! of Ray Tracing Algorithm": hybrid with storage on surfaces; Jensen 1996).
 
-use glam::DVec2;
+use std::collections::BTreeMap;
+
+use glam::{DVec2, DVec3};
 
 use crate::explain::{Part, grouped};
 use crate::figure::error::FigureError;
 use crate::figure::kind::Kind;
+use crate::figure::parts::disc;
 use crate::figure::parts::gathering::Gathering;
-use crate::figure::parts::light_path::LightPath;
+use crate::figure::parts::light_path::{Leg, LightPath};
 use crate::figure::parts::outline::{self, Outline, Rim};
 use crate::figure::parts::scenery;
-use crate::figure::sheet::Sheet;
 use crate::figure::sheet::canvas::quantity;
 use crate::figure::sheet::frame::Frame;
 use crate::figure::sheet::look::{Colour, Fill, Look};
 use crate::figure::sheet::stage::StageId;
 use crate::figure::sheet::text::formula;
+use crate::figure::sheet::{Sheet, Width};
 use crate::figure::spec::Layer;
 use crate::figure::subject::Figure;
 use crate::figure::view::Space;
-use crate::scene::PrimitiveId;
+use crate::geometry::{Plane, Sphere};
+use crate::scene::{PrimitiveId, Shape};
 
 pub(super) const KIND: Kind = Kind {
     draw,
@@ -148,6 +152,7 @@ fn above(figure: &Figure, sheet: &mut Sheet, space: &Space, object: PrimitiveId)
         let shape = &figure.scene.primitive(id).shape;
         let outline = Outline::of(shape, &space.projection);
         outline::rim(sheet, space, &outline.rim, Look::HELP);
+        shadows(figure, sheet, space, (object, id));
         let points = outline.rim.points().into_iter();
         let points = points.map(|at| space.place_flat(at));
         let lowest = points.max_by(|a, b| a.y.total_cmp(&b.y));
@@ -155,6 +160,77 @@ fn above(figure: &Figure, sheet: &mut Sheet, space: &Space, object: PrimitiveId)
             let name = scenery::name_of(figure.scene, id);
             sheet.label(space.frame, at, DVec2::Y, format!("{name}, above"));
         }
+    }
+}
+
+/// The shadows that a ball casts on the surface, by the point lights; other shapes have none drawn.
+fn shadows(
+    figure: &Figure,
+    sheet: &mut Sheet,
+    space: &Space,
+    (on, ball): (PrimitiveId, PrimitiveId),
+) {
+    let scene = figure.scene;
+    let (Shape::Polygon(ground), Shape::Sphere(ball)) =
+        (&scene.primitive(on).shape, &scene.primitive(ball).shape)
+    else {
+        return;
+    };
+    for light in &scene.lights {
+        let Some(rim) = shadow_rim(light.position, ball, &ground.plane()) else {
+            continue;
+        };
+        let rim: Vec<DVec2> = rim.into_iter().map(|at| space.projection.of(at)).collect();
+        let seen = rim.iter().map(|at| space.place_flat(*at));
+        let seen: Vec<DVec2> = seen
+            .map(|at| at.clamp(space.frame.min, space.frame.max))
+            .collect();
+        outline::rim(sheet, space, &Rim::Points(rim), Look::HIDDEN);
+        if let Some(around) = Frame::around(seen) {
+            // in the middle of what is seen of it, or to the right of that
+            let middle = around.middle();
+            let quarter = DVec2::new(0.0, 0.25 * around.size().y);
+            let room = Frame {
+                min: middle - quarter,
+                max: DVec2::new(around.max.x, middle.y) + quarter,
+            };
+            sheet.label_in(room, "shadow");
+        }
+    }
+}
+
+/// Where the rays from a light that graze a ball arrive on a plane; `None` if one of them does not.
+///
+/// They touch it on a circle across the line from the light to the center at the distance d: d·cos²α away from the light, of
+/// the radius r·cos α, where sin α = r/d.
+fn shadow_rim(light: DVec3, ball: &Sphere, plane: &Plane) -> Option<Vec<DVec3>> {
+    let to_center = ball.center - light;
+    let distance = to_center.length();
+    let sin = ball.radius / distance;
+    if 1.0 <= sin {
+        return None;
+    }
+    let cos = (1.0 - sin * sin).sqrt();
+    let touched = disc::rim(
+        light + cos * cos * to_center,
+        to_center / distance,
+        ball.radius * cos,
+    );
+    let on_plane = |at: DVec3| {
+        let along = at - light;
+        let t = -plane.distance(light) / plane.normal.dot(along);
+        (0.0 < t && t.is_finite()).then(|| light + t * along)
+    };
+    touched.into_iter().map(on_plane).collect()
+}
+
+/// Below the photons that came through an object, its name.
+fn through(sheet: &mut Sheet, space: &Space, points: &[DVec2], name: &str) {
+    let seen = points.iter().filter(|at| space.frame.contains(**at));
+    if let Some(around) = Frame::around(seen.copied()) {
+        let below = DVec2::new(around.middle().x, around.max.y);
+        let text = format!("light through {name}");
+        sheet.label(space.frame, below, DVec2::Y, text);
     }
 }
 
@@ -177,13 +253,18 @@ fn stored(
     (gathering, stage): (&Gathering, StageId),
 ) {
     let sections = figure.first.paths();
+    let mut through_glass = BTreeMap::new();
     for path in sections.iter().filter_map(LightPath::of) {
-        for leg in &path.legs {
+        for (place, leg) in path.legs.iter().enumerate() {
             let Some(photon) = leg.stored else {
                 continue;
             };
             if photon.object != gathering.gathered.object {
                 continue;
+            }
+            if let Some(object) = passed(figure, &path.legs[..place]) {
+                let points: &mut Vec<DVec2> = through_glass.entry(object).or_default();
+                points.push(space.place(photon.point));
             }
             sheet.at(stage, |sheet| {
                 sheet.step(leg.step, |sheet| {
@@ -193,6 +274,26 @@ fn stored(
             });
         }
     }
+    // a slide has no room for more words here
+    if sheet.width == Width::Slide {
+        return;
+    }
+    sheet.at(stage, |sheet| {
+        for (object, points) in &through_glass {
+            let name = scenery::name_of(figure.scene, *object);
+            through(sheet, space, points, &name);
+        }
+    });
+}
+
+/// The object that light has gone through, in at one surface and out at another.
+fn passed(figure: &Figure, legs: &[Leg]) -> Option<PrimitiveId> {
+    let [.., enters, leaves] = legs else {
+        return None;
+    };
+    let object = leaves.end.object?;
+    let passes = 0.0 < figure.scene.material_of(object).transmission;
+    (passes && enters.end.object == Some(object)).then_some(object)
 }
 
 /// A photon.

@@ -7,7 +7,7 @@ use crate::explain::grouped;
 use crate::figure::error::FigureError;
 use crate::figure::kind::Kind;
 use crate::figure::parts::outline::{self, Outline};
-use crate::figure::parts::plan::{EMPTY, Lattice, Plan};
+use crate::figure::parts::plan::{Lattice, Plan};
 use crate::figure::parts::scenery;
 use crate::figure::parts::walk::Walk;
 use crate::figure::sheet::frame::Frame;
@@ -22,6 +22,9 @@ pub(super) const KIND: Kind = Kind {
     usual: &[Layer::Ray],
     more: &[],
 };
+
+/// A cell that was visited: with a rim, as the tint of a small one drowns between the planes.
+const CELL: Look = Look::VISITED.wide(1.0);
 
 fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, FigureError> {
     let pixel = figure.pixel()?;
@@ -56,7 +59,7 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
         ));
     }
     let entries = [
-        (stages.first().copied(), EMPTY, "visited"),
+        (stages.first().copied(), CELL, "visited"),
         (stages.first().copied(), Look::REJECTED, "tested and missed"),
         (stages.first().copied(), Look::ANSWER, "hit"),
         (None, Look::CULLED, "not tested"),
@@ -76,13 +79,13 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
         let lattice = Lattice::of(&walk.grid);
         let [nx, ny, nz] = walk.grid.resolution;
         let (cells, tests) = numbers(walk);
+        plan.planes(sheet);
         sheet.at(stage, |sheet| {
             for visit in &walk.visits {
                 let outline = lattice.cell(visit.cell.cell, &plan.space.projection);
-                outline::rim(sheet, &plan.space, &outline.rim, EMPTY);
+                outline::rim(sheet, &plan.space, &outline.rim, CELL);
             }
         });
-        plan.planes(sheet);
         let tested = walk.tested();
         scenery::objects(figure, sheet, &plan.space, |_| Look::CULLED);
         let nearest = ray.node.end.and_then(|end| end.object);

@@ -19,7 +19,7 @@ use crate::figure::sheet::canvas::quantity;
 use crate::figure::sheet::frame::Frame;
 use crate::figure::sheet::image::Image;
 use crate::figure::sheet::look::Look;
-use crate::figure::sheet::text::Text;
+use crate::figure::sheet::text::{Text, formula};
 use crate::figure::spec::Layer;
 use crate::figure::subject::Figure;
 use crate::figure::traced::Traced;
@@ -140,7 +140,8 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
             max: DVec2::new(whole.max.x, whole.max.y + 1.5 * line),
         };
         let numbers = numbers_below(sheet, bar, most);
-        scale_bar::draw(sheet, bar, &numbers, "irradiance E in W/m²");
+        let what = Text::from("irradiance ") + formula("E") + " in W/m²";
+        scale_bar::draw(sheet, bar, &numbers, what);
     }
     around_the_map(figure, sheet, (whole, room));
     Ok(sentences.join(" "))

@@ -7,6 +7,7 @@ use crate::explain::{grouped, shown};
 use crate::figure::error::FigureError;
 use crate::figure::kind::Kind;
 use crate::figure::parts::picture::draw_image;
+use crate::figure::sheet::canvas::in_powers;
 use crate::figure::sheet::frame::Frame;
 use crate::figure::sheet::image::Image;
 use crate::figure::sheet::look::{Colour, Look};
@@ -209,9 +210,9 @@ fn value(of: &SpoiltValue, digits: u32) -> String {
                 count
             }
         }
-        SpoiltValue::Number(number) => shown(*number, digits),
+        SpoiltValue::Number(number) => in_powers(&shown(*number, digits)),
         SpoiltValue::Vector(vector) => {
-            let [x, y, z] = vector.map(|number| shown(number, digits));
+            let [x, y, z] = vector.map(|number| in_powers(&shown(number, digits)));
             format!("({x}, {y}, {z})")
         }
         SpoiltValue::Words(words) => words.clone(),

@@ -36,6 +36,7 @@ mod slab_terms;
 mod slabs;
 mod sphere;
 mod steps;
+mod stretched;
 mod sum;
 mod terms;
 mod transports;
@@ -81,6 +82,7 @@ pub(super) fn kind(name: FigureKind) -> Kind {
         FigureKind::Mistake => mistake::KIND,
         FigureKind::RootCases => root_cases::KIND,
         FigureKind::Forms => forms::KIND,
+        FigureKind::Stretched => stretched::KIND,
         FigureKind::PlaneCases => plane_cases::KIND,
         FigureKind::Terms => terms::KIND,
         FigureKind::Sides => sides::KIND,

@@ -316,7 +316,9 @@ fn line(
         depth::line(sheet, space, Look::LIGHT_RAY, [half, cop], &covers);
         sheet.arrow(Look::LIGHT_RAY, pinhole, negative);
         sheet.dot(Look::RAY, point);
-        label(sheet, point, along, "");
+        // beside the object, on the side from which its ray comes
+        let beside = DVec2::new(-along.x, along.y.signum());
+        label(sheet, point, beside, "");
         label(sheet, negative, -along, "″");
     });
     sheet.at(eye, |sheet| {

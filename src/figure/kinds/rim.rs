@@ -128,7 +128,7 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
     let cones = sheet.stage(
         "cones",
         None,
-        "From above: the eye sees each ball in a cone of the same width, and the flat window cuts the cones at the rim aslant.",
+        "From above: the eye sees each ball in a cone of the same width, and the flat window cuts the cones at the rim at a slant.",
     );
     let told = balls
         .iter()

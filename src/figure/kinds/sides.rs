@@ -88,22 +88,25 @@ impl Met {
         }
     }
 
-    fn row(&self, number: usize, width: Width) -> Text {
+    /// From which side the ray comes, and below it the sign that says so.
+    fn rows(&self, number: usize, width: Width) -> [Text; 2] {
         let sign = if self.shade.back { " > 0" } else { " < 0" };
         let product = match (width, self.is_sphere) {
             (Width::Slide, _) => Text::default(),
             (Width::Book, true) => formula("Δ·(p - c)/r = "),
             (Width::Book, false) => formula("Δ·(A, B, C) = "),
         };
-        Text::from(format!("{number}  {}: ", self.side()))
-            + product
-            + quantity(self.cosine())
-            + sign
-            + ", "
-            + formula("N")
-            + self.so().trim_start_matches('N')
+        let sign = product + quantity(self.cosine()) + sign + ": " + formula("N");
+        [
+            format!("{number}  {}", self.side()).into(),
+            sign + self.so().trim_start_matches('N'),
+        ]
     }
 }
+
+/// The surface's own normal where it is turned, and N.
+const OWN: Look = Look::REJECTED.outline().wide(1.25);
+const NORMAL: Look = Look::ANSWER.outline();
 
 fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, FigureError> {
     let mut all = Vec::new();
@@ -127,6 +130,18 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
         .iter()
         .map(|met| sheet.stage(Part::Normal, None, met.sentence()))
         .collect();
+    let turned = all.iter().position(|met| met.shade.back);
+    let first = stages.first().copied();
+    let entries = [
+        (first, NORMAL, formula("N")),
+        (
+            turned.map(|at| stages[at]),
+            OWN,
+            Text::from("the surface's own normal, where ") + formula("N") + " is turned",
+        ),
+    ];
+    let shown = if turned.is_some() { 2 } else { 1 };
+    let body = sheet.staged_legend(body, &entries[..shown]);
     let share = match sheet.width {
         Width::Book => 0.55,
         Width::Slide => 0.52,
@@ -144,8 +159,8 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
     for (place, (met, stage)) in rows.enumerate() {
         sheet.at(rays, |sheet| ray(sheet, &space, met));
         sheet.at(*stage, |sheet| normals(sheet, &space, met, place + 1));
-        let row = met.row(place + 1, sheet.width);
-        rest = sheet.at(*stage, |sheet| sheet.lines(rest, &[row]));
+        let rows = met.rows(place + 1, sheet.width);
+        rest = sheet.at(*stage, |sheet| sheet.lines(rest, &rows));
     }
     if figure.shows(Layer::Names) {
         scenery::names(figure, sheet, &space);
@@ -200,9 +215,9 @@ fn normals(sheet: &mut Sheet, space: &Space, met: &Met, number: usize) {
     let length = LENGTH * sheet.letters;
     let [normal, own] = [met.shade.normal, met.own()].map(|of| space.direction(of));
     if met.shade.back {
-        sheet.arrow(Look::REJECTED.outline().wide(1.25), at, at + length * own);
+        sheet.arrow(OWN, at, at + length * own);
     }
-    sheet.arrow(Look::ANSWER.outline(), at, at + length * normal);
+    sheet.arrow(NORMAL, at, at + length * normal);
     sheet.label(space.frame, at + length * normal, normal, formula("N"));
     // off the ray, on the side where nothing is drawn
     let along = (at - from).normalize_or_zero();

@@ -76,10 +76,11 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
         let sentence = format!("{of}: {cast} rays cast, {percent}.");
         let stage = sheet.stage(of, None, sentence.as_str());
         sentences.push(sentence);
-        let texts = match sheet.width {
-            Width::Book => vec![of.to_owned(), format!("{cast} rays cast, {percent}")],
-            Width::Slide => vec![of.to_owned(), format!("{cast} rays,"), percent],
+        let what = match sheet.width {
+            Width::Book => "rays cast,",
+            Width::Slide => "rays,",
         };
+        let texts = [of.to_owned(), format!("{cast} {what}"), percent];
         let frame = panel(place);
         let line = sheet.line_height();
         sheet.at(stage, |sheet| {

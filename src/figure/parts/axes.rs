@@ -104,6 +104,22 @@ pub(in crate::figure) fn draw_plane_behind(
     }
 }
 
+/// Draws the world's axes small, from a corner: those that are seen from their side.
+pub(in crate::figure) fn draw_small(sheet: &mut Sheet, space: &Space, corner: DVec2) {
+    for axis in [Axis::X, Axis::Y, Axis::Z] {
+        let along = space.direction(unit(axis));
+        // one that points to who looks is no arrow
+        if 0.3 < along.length() {
+            let tip = corner + SMALL * sheet.letters * along;
+            sheet.arrow(Look::THIN, corner, tip);
+            sheet.label(space.frame, tip, along, formula(letter(axis)));
+        }
+    }
+}
+
+/// How long a small axis is, in sizes of letters.
+pub(in crate::figure) const SMALL: f64 = 2.6;
+
 #[cfg(test)]
 mod tests {
     use super::*;

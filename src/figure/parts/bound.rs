@@ -187,6 +187,8 @@ pub(in crate::figure) fn pair(
     middle: DVec3,
     look: Look,
 ) {
+    /// A lower end that is so much farther from the bound has more room for a name.
+    const FARTHER: f64 = 1.5;
     let lines = [slab.d_min, slab.d_max].map(|d| slab.line(space, room, d, middle));
     for [from, to] in lines.into_iter().flatten() {
         sheet.line(look, from, to);
@@ -197,12 +199,17 @@ pub(in crate::figure) fn pair(
         };
         let center = space.place(middle);
         let far = |end: DVec2| end.distance(center);
-        let (at, other) = if 2.0 * far(upper) < far(lower) {
+        let (at, other) = if FARTHER * far(upper) < far(lower) {
             (lower, upper)
         } else {
             (upper, lower)
         };
-        sheet.label(space.frame, at, at - other, formula(&slab.name()));
+        // left of the drawing there is room up to the edge of the sheet
+        let within = Frame {
+            min: DVec2::new(sheet.body().min.x, space.frame.min.y),
+            max: space.frame.max,
+        };
+        sheet.label(within, at, at - other, formula(&slab.name()));
     }
 }
 

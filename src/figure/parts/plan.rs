@@ -9,7 +9,7 @@ use crate::figure::parts::walk::{Visit, Walk};
 use crate::figure::sheet::Sheet;
 use crate::figure::sheet::canvas::brief;
 use crate::figure::sheet::frame::Frame;
-use crate::figure::sheet::look::Look;
+use crate::figure::sheet::look::{Colour, Look};
 use crate::figure::sheet::stage::{StageId, parts};
 use crate::figure::sheet::text::{Text, formula};
 use crate::figure::spec::Layer;
@@ -82,8 +82,19 @@ impl Plan {
                 let line = [end(0), end(self.lattice.resolution[along])];
                 let is_outer = place == 0 || place == last;
                 // more planes would hide what lies between them
-                let inner = if MANY <= last { 0.35 } else { 0.75 };
-                let look = Look::THIN.wide(if is_outer { 1.5 } else { inner });
+                let inner = if MANY <= last {
+                    Look {
+                        colour: Colour::Culled,
+                        ..Look::THIN.wide(0.35)
+                    }
+                } else {
+                    Look::THIN.wide(0.75)
+                };
+                let look = if is_outer {
+                    Look::THIN.wide(1.5)
+                } else {
+                    inner
+                };
                 outline::line_on(sheet, &self.space, look, &line);
             }
         }

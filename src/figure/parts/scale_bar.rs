@@ -6,6 +6,7 @@ use crate::figure::heat_map::colour;
 use crate::figure::sheet::frame::Frame;
 use crate::figure::sheet::image::Image;
 use crate::figure::sheet::look::Look;
+use crate::figure::sheet::text::Text;
 use crate::figure::sheet::{Anchor, Sheet};
 
 /// Draws the colours of a scale, numbers at their shares of it, from the smallest on, and below what they count.
@@ -15,7 +16,7 @@ pub(in crate::figure) fn draw(
     sheet: &mut Sheet,
     bar: Frame,
     numbers: &[(f64, String)],
-    what: &str,
+    what: impl Into<Text>,
 ) {
     let line = sheet.line_height();
     let at = |share: f64| bar.min.x + share * bar.size().x;

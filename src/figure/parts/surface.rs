@@ -177,6 +177,27 @@ impl Met<'_> {
         sheet.label(space.frame, at, DVec2::new(0.5, -1.0), "straight on");
     }
 
+    /// Draws how far a later ray runs beside the straight line, if the two are parallel.
+    pub(in crate::figure) fn draw_offset(&self, sheet: &mut Sheet, space: &Space, node: &RayNode) {
+        /// cos of the angle between them; rounding leaves more.
+        const PARALLEL: f64 = 1.0 - 1e-9;
+        /// Where along the ray.
+        const PLACE: f64 = 0.25;
+        let (Some(start), Some(t)) = (node.start, node.end.and_then(|end| end.t)) else {
+            return;
+        };
+        let along = self.direction.normalize_or_zero();
+        if start.ray.direction.normalize_or_zero().dot(along) < PARALLEL {
+            return;
+        }
+        let at = start.ray.at(PLACE * t);
+        let foot = self.shade.point + (at - self.shade.point).dot(along) * along;
+        let [from, to] = [at, foot].map(|of| space.place(of));
+        sheet.line(Look::HELP, from, to);
+        let text = format!("offset {}", quantity(at.distance(foot)));
+        sheet.label(space.frame, from.lerp(to, 0.5), to - from, text);
+    }
+
     /// Where no ray leaves: the critical angle, and that the ray's angle is larger.
     fn beyond_critical(&self, sheet: &mut Sheet, space: &Space, refraction: &Refraction) {
         let at = space.place(self.shade.point);

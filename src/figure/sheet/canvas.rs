@@ -10,7 +10,7 @@ use svg::Document;
 use svg::node::element::{Description, Element, Group, Style, Title};
 use svg::node::{Blob, Node, Text as Letters};
 
-use crate::explain::{MINUS, printable, shown};
+use crate::explain::{printable, shown};
 use crate::figure::sheet::crop;
 use crate::figure::sheet::frame::Frame;
 use crate::figure::sheet::labels::place_labels;
@@ -462,11 +462,34 @@ pub(in crate::figure) fn quantity(value: f64) -> String {
         }
         None => rounded,
     };
-    if value < 0.0 {
-        format!("{MINUS}{rounded}")
-    } else {
-        rounded
+    let sign = if value < 0.0 { "−" } else { "" };
+    in_powers(&format!("{sign}{rounded}"))
+}
+
+/// A number with its power of ten as it is written by hand: 2.36·10⁻¹⁶ for `2.36e-16`, 10⁻⁹ for `1e-9`. Other words stay as
+/// they are.
+pub(in crate::figure) fn in_powers(number: &str) -> String {
+    let parts = number.split_once('e');
+    let parts = parts.and_then(|(digits, power)| Some((digits, power.parse::<i32>().ok()?)));
+    let Some((digits, power)) = parts else {
+        return number.into();
+    };
+    let power = power_of_ten(power);
+    match digits {
+        "1" => power,
+        _ => format!("{digits}·{power}"),
     }
+}
+
+/// 10⁻⁹.
+pub(in crate::figure) fn power_of_ten(power: i32) -> String {
+    const DIGITS: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
+    let letters = power.to_string();
+    let raised = letters.chars().map(|letter| {
+        let digit = letter.to_digit(10);
+        digit.map_or('⁻', |digit| DIGITS[digit as usize])
+    });
+    format!("10{}", raised.collect::<String>())
 }
 
 /// A point or a vector in the words of a drawing. A coordinate that is rounding beside the largest one is 0.
@@ -520,12 +543,12 @@ mod tests {
             (0.0, "0"),
             (1.0 / 3.0, "0.3333"),
             (-0.001_234, "−0.001234"),
-            (0.000_011_85, "1.19e-5"),
-            (-8.018e-10, "−8.02e-10"),
+            (0.000_011_85, "1.19·10⁻⁵"),
+            (-8.018e-10, "−8.02·10⁻¹⁰"),
             (99_990.0, "99990"),
             (99_999.0, "1e5"),
             (3.192e9, "3.19e9"),
-            (-2e-4, "−2e-4"),
+            (-2e-4, "−2·10⁻⁴"),
         ] {
             assert_eq!(quantity(value), expected);
         }

@@ -10,7 +10,7 @@ use crate::figure::sheet::frame::Frame;
 use crate::figure::sheet::image::Image;
 use crate::figure::sheet::look::{Fill, Look};
 use crate::figure::sheet::stage::{Stage, StageId, StageName};
-use crate::figure::sheet::text::{Anchor, Text};
+use crate::figure::sheet::text::{Anchor, Text, with_indices};
 
 /// The form of a mark, in units of the sheet: x to the right, y down.
 #[derive(Clone, Debug, PartialEq)]
@@ -425,7 +425,7 @@ impl Sheet {
         /// Against the other letters.
         const SIZE: f64 = 1.2;
         let size = SIZE * self.letters;
-        let lines = Text::from(title).wrapped(frame.size().x / size);
+        let lines = with_indices(title).wrapped(frame.size().x / size);
         let count = lines.len() as f64;
         for (line, text) in lines.into_iter().enumerate() {
             self.words.push(Words {

@@ -225,6 +225,22 @@ pub(in crate::figure) fn formula(of: &str) -> Text {
     text
 }
 
+/// Prose in which a letter may have an index, as in "the minimum D_min": such a word is a formula.
+pub(in crate::figure) fn with_indices(prose: &str) -> Text {
+    let has_index = |word: &str| {
+        let before = word.split('_').next().unwrap_or_default();
+        before.len() < word.len() && before.chars().filter(|c| c.is_alphanumeric()).count() == 1
+    };
+    let words = prose.split_inclusive(' ');
+    words.fold(Text::default(), |text, word| {
+        if has_index(word) {
+            text + formula(word)
+        } else {
+            text + word
+        }
+    })
+}
+
 /// Where the letters end that begin there and belong to a word.
 fn end_of_word(letters: &[char], start: usize, belongs: fn(char) -> bool) -> usize {
     let is_end = |letter: &char| !belongs(*letter) || on_line(*letter).1 != Level::Line;
@@ -313,6 +329,12 @@ mod tests {
         assert_eq!(told(&"ball₁²".into()), "ball_1^2");
         let joined = formula("t = ") + "a_b" + String::from(" - t");
         assert_eq!(told(&joined), "*t* = a_b - t");
+    }
+
+    #[test]
+    fn prose_has_formulas_where_a_letter_has_an_index() {
+        let text = with_indices("A takes D_min, from (−D_max) of scan_line");
+        assert_eq!(told(&text), "A takes *D*_min, from (−*D*_max) of scan_line");
     }
 
     #[test]

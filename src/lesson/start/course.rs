@@ -118,6 +118,7 @@ lessons! {
     "04-sphere/roots.json",
     "04-sphere/scene.json",
     "04-sphere/solution.rs",
+    "04-sphere/stretched.json",
     "05-shading/acne.json",
     "05-shading/exercise.rs",
     "05-shading/lesson.json",

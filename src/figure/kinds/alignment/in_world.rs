@@ -5,6 +5,7 @@ use glam::{DVec2, DVec3};
 use crate::figure::kinds::alignment::argument::Argument;
 use crate::figure::kinds::alignment::laid::{Laid, furthest};
 use crate::figure::kinds::alignment::marks::{mark, name_beside};
+use crate::figure::parts::axes;
 use crate::figure::parts::outline::Outline;
 use crate::figure::parts::scenery;
 use crate::figure::sheet::Sheet;
@@ -62,18 +63,8 @@ pub(super) fn draw(
 
 /// The world's axes, in a corner.
 fn world_axes(sheet: &mut Sheet, space: &Space) {
-    let length = 2.6 * sheet.letters;
     // the letter of an axis that points down stands below it
-    let below = length + 1.2 * sheet.letters;
+    let below = (axes::SMALL + 1.2) * sheet.letters;
     let corner = DVec2::new(space.frame.min.x, space.frame.max.y - below);
-    let axes = DVec3::AXES.into_iter().zip(["x", "y", "z"]);
-    for (axis, letter) in axes {
-        let along = space.direction(axis);
-        // one that points to who looks is no arrow
-        if 0.3 < along.length() {
-            let tip = corner + length * along;
-            sheet.arrow(Look::THIN, corner, tip);
-            sheet.label(space.frame, tip, along, formula(letter));
-        }
-    }
+    axes::draw_small(sheet, space, corner);
 }

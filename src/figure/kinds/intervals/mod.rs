@@ -183,7 +183,7 @@ fn geometry(
     sheet.at(argument.ray, |sheet| {
         sheet.arrow(Look::RAY, from, to);
         sheet.dot(Look::RAY, from);
-        sheet.label(space.frame, from, DVec2::ONE, "COP");
+        sheet.label(space.frame, from, DVec2::NEG_Y, "COP");
     });
     let middle = bound::middle(all);
     let room = Frame {

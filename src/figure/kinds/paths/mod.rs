@@ -48,7 +48,7 @@ pub(super) const KIND: Kind = Kind {
         Layer::Legend,
         Layer::Numbers,
     ],
-    more: &[Layer::ShadowRays],
+    more: &[Layer::ShadowRays, Layer::Normals],
 };
 
 /// Which legs are drawn: of stored light those that leave a photon, and if only what leads to the pixels was asked for, those
@@ -123,6 +123,9 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
     }
     if figure.shows(Layer::LightPaths) {
         paths(figure, sheet, &space, (&shown, &argument));
+    }
+    if figure.shows(Layer::Normals) {
+        normal(figure, sheet, &space, (&shown, &argument));
     }
     for (section, gatherings) in &shown.pixels {
         if let Some(stage) = argument.eye.filter(|_| figure.shows(Layer::Ray)) {
@@ -260,6 +263,38 @@ fn paths(
             }
         }
     }
+}
+
+/// The normal where the first path enters an object, on both sides of its surface.
+fn normal(
+    figure: &Figure,
+    sheet: &mut Sheet,
+    space: &Space,
+    (shown, argument): (&Shown, &Argument),
+) {
+    /// How long a normal is, in sizes of letters.
+    const LENGTH: f64 = 2.4;
+    let (Some((path, _)), Some((_, stage))) = (shown.paths.first(), argument.paths.first()) else {
+        return;
+    };
+    sheet.at(*stage, |sheet| {
+        if let Some(leg) = path.legs.first()
+            && let (Some(object), Some(t), None) = (leg.end.object, leg.end.t, leg.stored)
+        {
+            let point = leg.start.ray.at(t);
+            let normal = figure
+                .scene
+                .primitive(object)
+                .shape
+                .normals(point)
+                .geometric;
+            let at = space.place(point);
+            let reach = LENGTH * sheet.letters * space.direction(normal);
+            sheet.line(Look::HELP, at, at - reach);
+            sheet.arrow(Look::THIN.wide(1.25), at, at + reach);
+            sheet.label(space.frame, at + reach, reach, formula("N"));
+        }
+    });
 }
 
 fn draw_leg(figure: &Figure, sheet: &mut Sheet, space: &Space, leg: &Leg, of: Use) {

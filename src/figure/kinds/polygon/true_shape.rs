@@ -145,6 +145,14 @@ pub(super) fn draw_two(
         for (axis, panel, mut space) in panels {
             space.scale = scale;
             let place = |point| space.place(axes::foot(axis, point));
+            if sheet.width == Width::Book {
+                let below = DVec2::new(1.5, -1.4) * sheet.letters;
+                let corner = DVec2::new(panel.min.x, panel.max.y);
+                // an axis that points down starts higher
+                let down = space.direction(DVec3::Y) + space.direction(DVec3::Z);
+                let start = axes::SMALL * sheet.letters * down.max(DVec2::ZERO);
+                axes::draw_small(sheet, &space, corner + below - start);
+            }
             sheet.polygon(Look::OBJECT, tested.polygon.vertices().map(place).collect());
             let p = place(test.point);
             sheet.small_dot(Look::RAY, p);

@@ -84,6 +84,16 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
             drawn.parent(other) == Some(place) && start.is_some_and(|start| is_on(start.purpose))
         });
         line::draw(figure, sheet, &space, node, (stages, sends_on), &mut named);
+        // behind the first surface it may come out parallel to what it was
+        let enters = first
+            .filter(|first| *first != place && !drawn.has_total_reflection(figure))
+            .and_then(|first| drawn.nodes().nth(first))
+            .and_then(|(_, section, node)| surface::Met::shown(figure, section.records, node));
+        if let Some(enters) = enters {
+            sheet.at(stages[1], |sheet| {
+                enters.draw_offset(sheet, &space, node);
+            });
+        }
         if let Some(met) = surface::Met::shown(figure, section.records, node) {
             let at = argument.of(Of::Surface(place));
             met.draw(figure, sheet, &space, (at, law), &mut named);
