@@ -33,6 +33,7 @@ pub(in crate::lesson) use asking::ask;
 pub use confusion::Confusion;
 pub(in crate::lesson) use fault::Fault;
 pub use program::ProgramName;
+#[cfg(feature = "book")]
 pub(crate) use shuffled::fnv_1a;
 pub use spec::{
     Among, Ask, Blank, ChoiceSpec, Choices, Counterexample, Each, Number, Order, Program,
