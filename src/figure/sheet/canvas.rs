@@ -538,7 +538,7 @@ mod tests {
     }
 
     #[test]
-    fn a_quantity_has_at_most_nine_letters() {
+    fn a_quantity_has_four_digits_or_three_and_a_power_of_ten() {
         for (value, expected) in [
             (0.0, "0"),
             (1.0 / 3.0, "0.3333"),
@@ -546,8 +546,8 @@ mod tests {
             (0.000_011_85, "1.19·10⁻⁵"),
             (-8.018e-10, "−8.02·10⁻¹⁰"),
             (99_990.0, "99990"),
-            (99_999.0, "1e5"),
-            (3.192e9, "3.19e9"),
+            (99_999.0, "10⁵"),
+            (3.192e9, "3.19·10⁹"),
             (-2e-4, "−2·10⁻⁴"),
         ] {
             assert_eq!(quantity(value), expected);
