@@ -51,7 +51,8 @@ impl<'a> StepWords<'a> {
     /// The lines that tell a step, from the left edge.
     ///
     /// Of a test or a single event they are the lines of the worked solution whose range of steps lies within it; if there are
-    /// none, as for `listed`, those of the range that it belongs to. A heading stands above the first of its lines. A section, a
+    /// none, as for `listed`, those of the range that it belongs to. The lines of a bound begin with S and T of all slabs, which were
+    /// computed before it; they are of its test. A heading stands above the first of its lines. A section, a
     /// ray or a place is told by its own events, and the steps that it holds tell themselves; so does a fold.
     pub fn of(&self, log: &StepLog, number: usize) -> Vec<Line> {
         let own = own_events(log, number);

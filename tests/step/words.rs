@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use raystep::explain::{Line, StepAddress, Tone};
 use raystep::step::{Level, StepLog, StepWords, headline};
+use raystep::trace::Kind;
 use raystep::{Page, WorkedOptions, worked_solution};
 
 use super::each_of_few;
@@ -27,8 +28,9 @@ fn solution(log: &StepLog) -> (Page, Vec<Option<[usize; 2]>>) {
     (page, of_lines)
 }
 
-/// What the page says of the step: the lines whose range lies within it, or without any those of the range around it. An aside
-/// that is said once on a page may stand again.
+/// What the page says of the step: the lines whose range lies within it, or without any those of the range around it. S and T of
+/// all slabs were computed before the first bound, and its lines begin with them: they are of the bound's test all the same. An
+/// aside that is said once on a page may stand again.
 fn expected<'a>(
     log: &StepLog,
     number: usize,
@@ -42,7 +44,11 @@ fn expected<'a>(
             .filter_map(|(line, place)| Some((line, (*place)?)))
     };
     let lines = || lines().filter(|(line, _)| line.tone != Tone::Aside);
-    let within = lines().filter(|(_, [first, last])| events.start <= *first && *last < events.end);
+    let is_slab_ray = |at: &usize| log.records[*at].event.kind() == Kind::SlabRay;
+    let begins = |[first, last]: [usize; 2]| (first..=last).find(|at| !is_slab_ray(at));
+    let within = lines().filter(|(_, [first, last])| {
+        events.start <= begins([*first, *last]).unwrap_or(*first) && *last < events.end
+    });
     let within: Vec<&Line> = within.map(|(line, _)| line).collect();
     if !within.is_empty() {
         return within;
