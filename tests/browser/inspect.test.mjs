@@ -31,6 +31,10 @@ async function opened(name, options) {
   const press = async (...keys) => {
     for (const key of keys) {
       await page.keyboard.press(key);
+      // a key waits for those before it; what is typed next belongs into the field
+      if (key === "g" || key === "/") {
+        await page.locator("input:focus").waitFor();
+      }
     }
   };
   await page.locator("[role=treeitem][aria-selected=true]").waitFor();
