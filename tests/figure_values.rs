@@ -11,7 +11,7 @@ use raystep::{Event, Traced};
 use crate::figure_numbers::{all, digits, drawn, has};
 use crate::figures::{figure, texts_of_drawn};
 
-/// With so many significant digits, as the words of a figure have them.
+/// The number, rounded to `count` significant digits, as a figure writes it.
 fn significant(value: f64, count: i32) -> String {
     if value == 0.0 {
         return "0".into();

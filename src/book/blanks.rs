@@ -16,7 +16,7 @@ pub(super) const USUAL: u32 = 3;
 /// Which results are taken out.
 #[derive(Clone, Debug)]
 pub(super) struct Taken {
-    /// At most so many.
+    /// The largest number of blanks.
     pub(super) count: u32,
     /// Only those of lines that have this word: what follows from the other lines.
     pub(super) word: Option<String>,

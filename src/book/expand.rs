@@ -352,7 +352,7 @@ fn untold(svg: &str, is_whole: bool) -> String {
     if is_whole {
         told.push((
             "desc",
-            "What is seen here is told where the puzzle is answered.",
+            "The answer of the puzzle says what this figure shows.",
         ));
     }
     told.into_iter().fold(svg.to_owned(), |svg, (tag, words)| {

@@ -11,7 +11,7 @@ use crate::mistake::{Mistake, mistakes};
 use crate::scene::{nearest_name, quoted};
 use crate::trace::LoggedMistake;
 
-/// At most so many questions are named for a mistake.
+/// The largest number of questions that are named for a mistake.
 const MOST_QUESTIONS: usize = 3;
 
 /// The table of all mistakes, or of those of a lesson, as HTML on one line.

@@ -77,7 +77,7 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
             // three pictures side by side, each below its name
             let high = panel * f64::from(height) / f64::from(width) + 1.5 * line;
             let panels = PANELS.map(|(name, sentence)| sheet.stage(name, None, sentence));
-            // what is wrong is told after both pictures, so that it can be asked before
+            // both pictures come before the sentence that says what is wrong: a lecturer can ask first
             let body = sheet.at(panels[2], |sheet| sheet.lines(body, &head));
             let [pictures, table] = body.split_top(high.min(body.size().y - below));
             let both = [right, wrong];
