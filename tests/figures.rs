@@ -480,7 +480,7 @@ fn the_density_of_photons_is_that_of_the_gathered_event() {
     let gathered = gathered.unwrap();
     let radius = gathered.radius.unwrap();
     assert_eq!(gathered.count, 19);
-    check_text(&texts, "Of the 20 nearest photons 19 are summed");
+    check_text(&texts, "number 20 sets r, and the 19 before it are summed");
     check_text(&texts, &format!("r = {radius:.4}"));
     // all photons are white: 19 of 100 W / 3000 each, over the disc
     let density = 19.0 * 100.0 / 3000.0 / (std::f64::consts::PI * radius * radius);

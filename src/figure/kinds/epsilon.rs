@@ -277,8 +277,8 @@ fn axis(
             };
             sheet.text(Anchor::Middle, at + DVec2::new(0.0, 0.8 * line), text);
         }
-        let end = DVec2::new(right + sheet.letters, axis - 0.6 * line);
-        sheet.text(Anchor::End, end, formula("|t|"));
+        let end = DVec2::new(right + 1.2 * sheet.letters, axis);
+        sheet.text(Anchor::Start, end, formula("|t|"));
     });
     for (number, (start, stage)) in starts.iter().zip(stages).enumerate() {
         let at = DVec2::new(x(start.t), row(number));
@@ -286,11 +286,11 @@ fn axis(
             let name = DVec2::new(frame.min.x, at.y);
             sheet.text(Anchor::Start, name, names[number].as_str());
             sheet.cross(Look::REJECTED, at);
-            let so = match (start.is_blocked(), sheet.width) {
-                (true, Width::Book) => " > 0: blocked",
-                (true, Width::Slide) => " > 0",
-                (false, Width::Book) => " < 0: behind p",
-                (false, Width::Slide) => " < 0",
+            let so: Text = match (start.is_blocked(), sheet.width) {
+                (true, Width::Book) => " > 0: blocked".into(),
+                (true, Width::Slide) => " > 0".into(),
+                (false, Width::Book) => Text::from(" < 0: behind ") + formula("p"),
+                (false, Width::Slide) => " < 0".into(),
             };
             let beside = at + DVec2::new(0.9 * sheet.letters, 0.0);
             sheet.text(Anchor::Start, beside, powers(start.t) + so);

@@ -187,12 +187,12 @@ fn shadows(
             .collect();
         outline::rim(sheet, space, &Rim::Points(rim), Look::HIDDEN);
         if let Some(around) = Frame::around(seen) {
-            // in the middle of what is seen of it, or to the right of that
+            // in what is seen of it, above the middle and to the right of it
             let middle = around.middle();
-            let quarter = DVec2::new(0.0, 0.25 * around.size().y);
+            let quarter = 0.25 * around.size();
             let room = Frame {
-                min: middle - quarter,
-                max: DVec2::new(around.max.x, middle.y) + quarter,
+                min: middle + DVec2::new(quarter.x, -quarter.y),
+                max: DVec2::new(around.max.x, middle.y),
             };
             sheet.label_in(room, "shadow");
         }
@@ -239,7 +239,7 @@ fn numbers(gathering: &Gathering) -> Vec<String> {
     let near = gathering.nearby.len();
     let counted = gathering.gathered.count;
     let mut lines = vec![format!(
-        "Of the {near} nearest photons {counted} are summed: the last one is where the disc ends"
+        "Nearest photons: number {near} sets r, and the {counted} before it are summed"
     )];
     lines.extend(gathering.working());
     lines
@@ -273,10 +273,6 @@ fn stored(
                 });
             });
         }
-    }
-    // a slide has no room for more words here
-    if sheet.width == Width::Slide {
-        return;
     }
     sheet.at(stage, |sheet| {
         for (object, points) in &through_glass {
@@ -330,8 +326,11 @@ fn photons(
             let across = (to - at).perp().normalize_or_zero();
             let text = formula("r = ") + quantity(radius);
             sheet.label(space.frame, middle, across, text);
-            let outwards = (to - at).normalize_or_zero();
-            sheet.label(space.frame, to, outwards, "does not count");
+            // a slide has room for few words: there the line above must do
+            if sheet.width == Width::Book {
+                let outwards = (to - at).normalize_or_zero();
+                sheet.label(space.frame, to, outwards, "does not count");
+            }
         });
     }
 }

@@ -199,14 +199,15 @@ fn draw_lists(
         let Some(area) = lattice.area(cell, space) else {
             continue;
         };
-        let last = names.len() - 1;
-        for (place, (step, name)) in names.iter().enumerate() {
-            let end = if place == last { "}" } else { "" };
-            sheet.event(*step, |sheet| match place {
-                0 => sheet.label_in(area, format!("{{{name}{end}")),
-                _ => sheet.label_goes_on(format!(", {name}{end}")),
-            });
+        let Some(((first, name), more)) = names.split_first() else {
+            continue;
+        };
+        sheet.event(*first, |sheet| sheet.label_in(area, format!("{{{name}")));
+        for (step, name) in more {
+            sheet.event(*step, |sheet| sheet.label_goes_on(format!(", {name}")));
         }
+        // the list has an end from the first, with room for who comes later
+        sheet.event(*first, |sheet| sheet.label_goes_on("}"));
     }
 }
 

@@ -209,7 +209,7 @@ impl Plan {
             let [x, y] = pixel.map(f64::from);
             let stretched = DVec2::new((x + 0.5) * w / (w - 1.0), (y + 0.5) * h / (h - 1.0));
             sheet.cross(Look::REJECTED, self.at(x, y));
-            sheet.label(self.frame, self.at(x, y), DVec2::new(1.0, 1.0), "no ½");
+            sheet.label(self.frame, self.at(x, y), DVec2::new(-1.0, 1.0), "no ½");
             if 1 < width && 1 < height {
                 let at = self.at(stretched.x, stretched.y);
                 sheet.cross(Look::REJECTED, at);

@@ -278,10 +278,17 @@ fn plane(sheet: &mut Sheet, space: &Space, case: &Case, ray: &Ray) {
     let at = middle + 0.6 * reach * along;
     let tip = space.place(at) + 2.2 * sheet.letters * space.direction(normal);
     sheet.arrow(Look::THIN, space.place(at), tip);
+    // a slide has room for one of them
+    let is_hit = matches!(case.test.verdict, PlaneVerdict::Meets(root) if root.verdict == RootVerdict::Chosen);
+    if sheet.width == Width::Slide && !is_hit {
+        return;
+    }
+    // beside it: beyond its tip may be the ray
+    let beside = -space.direction(normal).perp();
     sheet.label(
         space.frame,
-        tip,
-        space.direction(normal),
+        space.place(at).midpoint(tip),
+        beside,
         formula("(A, B, C)"),
     );
 }

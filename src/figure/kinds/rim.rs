@@ -181,12 +181,7 @@ fn angles(sheet: &mut Sheet, frame: Frame, placed: Frame, eye: &Eye, stage: Stag
     let line = sheet.line_height();
     let mut rest = frame;
     sheet.at(stage, |sheet| {
-        let parts: &[f64] = match sheet.width {
-            Width::Book => &[1.0, 2.0, 3.0],
-            // the whole is the picture itself
-            Width::Slide => &[1.0, 2.0],
-        };
-        for &part in parts {
+        for part in [1.0, 2.0, 3.0] {
             let half = part / 3.0 * eye.half;
             let share = libm::tan(half) / libm::tan(eye.half);
             let reach = 0.5 * share * placed.size().x;

@@ -376,7 +376,13 @@ impl<'a> Plot<'a> {
                 1 => DVec2::Y,
                 _ => places[place.min(1)],
             };
-            for (place, (name, root)) in roots.iter().enumerate() {
+            // the names of a slide are for roots that count: the others have their crosses
+            let is_named = book
+                || roots
+                    .iter()
+                    .any(|(_, root)| root.verdict == RootVerdict::Chosen);
+            let named = if is_named { &roots[..] } else { &[] };
+            for (place, (name, root)) in named.iter().enumerate() {
                 let at = self.on_axis(root.t, 0.0);
                 let text = if book {
                     Text::from(quantity(root.t))

@@ -15,7 +15,7 @@ use crate::figure::sheet::frame::Frame;
 use crate::figure::sheet::look::{Colour, Look};
 use crate::figure::sheet::stage::StageId;
 use crate::figure::sheet::text::{Text, formula};
-use crate::figure::sheet::{Anchor, Sheet};
+use crate::figure::sheet::{Anchor, Sheet, Width};
 use crate::figure::subject::{DrawnRay, Figure};
 use crate::figure::view::Space;
 use crate::scene::Emission;
@@ -272,10 +272,11 @@ fn chart(sheet: &mut Sheet, frame: Frame, bars: &[Bar], stages: &Stages) {
         for (number, bar) in (1..).zip(bars) {
             let below = DVec2::new(x(bar.angle), bottom + 0.8 * line);
             sheet.text(Anchor::Middle, below, format!("{number}"));
-            let angle: Text = if number == 1 {
-                formula("θ = ") + bar.degrees()
-            } else {
-                bar.degrees().into()
+            let angle: Text = match (number, sheet.width) {
+                (1, _) => formula("θ = ") + bar.degrees(),
+                (_, Width::Book) => bar.degrees().into(),
+                // a slide has room for the numbers alone
+                (_, Width::Slide) => bar.degrees().trim_end_matches('°').into(),
             };
             let lower = below + DVec2::new(0.0, line);
             sheet.text(Anchor::Middle, lower, angle);

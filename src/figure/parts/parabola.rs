@@ -80,7 +80,7 @@ pub(in crate::figure) fn draw(
 ) {
     // the heads of the axes and the letters at them stand in the margin
     let graph = Graph::new(frame.wider(-1.2 * sheet.letters), test, extent);
-    sheet.at(stages.axes, |sheet| graph.axes(sheet));
+    sheet.at(stages.axes, |sheet| graph.axes(sheet, frame));
     let vertex = graph.place(graph.vertex);
     let foot = graph.place(DVec2::new(graph.vertex.x, 0.0));
     sheet.at(stages.curve, |sheet| {
@@ -182,7 +182,7 @@ impl Graph {
         )
     }
 
-    fn axes(&self, sheet: &mut Sheet) {
+    fn axes(&self, sheet: &mut Sheet, around: Frame) {
         let beyond = 0.6 * sheet.letters;
         let letter = 0.9 * sheet.letters;
         // the y axis stands at 0, or where the other axis begins
@@ -204,8 +204,7 @@ impl Graph {
             } else {
                 -1.0
             };
-            let origin = zero + DVec2::new(side * 0.7 * letter, letter);
-            sheet.text(Anchor::Middle, origin, "0");
+            sheet.label(around, zero, DVec2::new(side, 1.0), "0");
         } else {
             // the axis has a gap before it begins
             let gap = DVec2::new(1.2 * sheet.letters, 0.0);

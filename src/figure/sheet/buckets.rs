@@ -43,15 +43,26 @@ impl Buckets {
 
     /// How many lines reach into a frame.
     pub(in crate::figure) fn crossing(&self, frame: Frame) -> usize {
+        self.count(frame, |line| frame.cut_line(line).is_some())
+    }
+
+    /// How many lines a line crosses.
+    pub(in crate::figure) fn crossing_line(&self, line: [DVec2; 2]) -> usize {
+        let around = Frame::around(line);
+        around.map_or(0, |frame| self.count(frame, |other| cross(line, other)))
+    }
+
+    /// How many lines near a frame are such ones.
+    fn count(&self, frame: Frame, is_one: impl Fn([DVec2; 2]) -> bool) -> usize {
         let near = self.cells_of(frame).flat_map(|cell| &self.cells[cell]);
-        let mut crossed: Vec<u32> = near
+        let mut found: Vec<u32> = near
             .copied()
-            .filter(|&line| frame.cut_line(self.lines[line as usize]).is_some())
+            .filter(|&line| is_one(self.lines[line as usize]))
             .collect();
         // a line is on the list of each of its cells
-        crossed.sort_unstable();
-        crossed.dedup();
-        crossed.len()
+        found.sort_unstable();
+        found.dedup();
+        found.len()
     }
 
     fn cells_of(&self, frame: Frame) -> impl Iterator<Item = usize> + use<> {
@@ -61,6 +72,12 @@ impl Buckets {
         let [top, bottom] = [frame.min.y, frame.max.y].map(|at| place(at, self.rows));
         (top..=bottom).flat_map(move |row| (left..=right).map(move |column| row * columns + column))
     }
+}
+
+/// Do two lines cross? Each has the ends of the other on both sides; those that only touch do not.
+fn cross([a, b]: [DVec2; 2], [c, d]: [DVec2; 2]) -> bool {
+    let side = |from: DVec2, to: DVec2, of: DVec2| (to - from).perp_dot(of - from);
+    side(a, b, c) * side(a, b, d) < 0.0 && side(c, d, a) * side(c, d, b) < 0.0
 }
 
 #[cfg(test)]
@@ -76,6 +93,19 @@ mod tests {
         // outside of the sheet
         buckets.add([at(-50.0, -50.0), at(500.0, -50.0)]);
         let frame = |min, max| Frame { min, max };
+        // the slanted line and the level one cross at (300, 150)
+        assert_eq!(
+            buckets.crossing_line([at(200.0, 90.0), at(200.0, 160.0)]),
+            2
+        );
+        assert_eq!(
+            buckets.crossing_line([at(200.0, 110.0), at(200.0, 140.0)]),
+            0
+        );
+        assert_eq!(
+            buckets.crossing_line([at(380.0, 140.0), at(390.0, 180.0)]),
+            1
+        );
         assert_eq!(buckets.crossing(frame(at(90.0, 30.0), at(210.0, 120.0))), 1);
         assert_eq!(
             buckets.crossing(frame(at(290.0, 140.0), at(310.0, 160.0))),

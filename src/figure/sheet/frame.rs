@@ -46,6 +46,11 @@ impl Frame {
 
     /// Larger by a margin on every side, or smaller.
     pub(in crate::figure) fn wider(self, by: f64) -> Self {
+        self.wider_by(DVec2::splat(by))
+    }
+
+    /// The same with margins of their own in x and y.
+    pub(in crate::figure) fn wider_by(self, by: DVec2) -> Self {
         Self {
             min: self.min - by,
             max: self.max + by,

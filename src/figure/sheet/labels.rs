@@ -13,11 +13,13 @@ use crate::figure::sheet::buckets::Buckets;
 use crate::figure::sheet::frame::Frame;
 use crate::figure::sheet::look::{Fill, Look};
 use crate::figure::sheet::text::Text;
-use crate::figure::sheet::{Anchor, Form, Label, Mark, Sheet, Words};
+use crate::figure::sheet::{Anchor, Form, Label, Mark, Sheet, Width, Words};
 
 /// What labels keep away from.
 struct Obstacles {
     lines: Buckets,
+    /// Below this radius a circle is a dot.
+    dot: f64,
     /// Words, and pictures.
     frames: Vec<Frame>,
 }
@@ -32,12 +34,20 @@ struct Candidate {
 
 /// Directions that are tried.
 const DIRECTIONS: u32 = 16;
+/// By how much a place with a corner at the point is worse than one with a side there.
+const CORNER: f64 = 0.5;
 /// How often it is tried further away.
 const RINGS: u32 = 14;
 /// Between the parts of a label, in sizes of its letters.
 const HAIR: f64 = 0.06;
+/// A leader across more lines leads nowhere.
+const LOST: usize = 8;
 /// The number of names of objects that are a crowd.
 const CROWD: usize = 20;
+/// Between words, in sizes of their letters: beside each other they must not read as one.
+const AIR: DVec2 = DVec2::new(0.7, 0.14);
+/// A circle of a smaller radius, in sizes of letters, is a dot.
+const DOT: f64 = 0.36;
 
 /// Places all labels of a sheet: they become words, and leaders become marks.
 pub(in crate::figure) fn place_labels(sheet: &mut Sheet) {
@@ -45,8 +55,9 @@ pub(in crate::figure) fn place_labels(sheet: &mut Sheet) {
     let labels = std::mem::take(&mut sheet.labels);
     // among many names a leader says no more than which of them it could be
     let crowded = CROWD < labels.iter().filter(|label| label.optional).count();
+    let is_slide = sheet.width == Width::Slide;
     for label in labels {
-        let Some(place) = best_place(&label, &obstacles, crowded) else {
+        let Some(place) = best_place(&label, &obstacles, (crowded, is_slide)) else {
             continue;
         };
         obstacles.frames.push(place.frame);
@@ -92,14 +103,23 @@ fn whole(label: &Label) -> Text {
 }
 
 /// The best place for a label; none for one of a crowd of names that has no free place beside its object.
-fn best_place(label: &Label, obstacles: &Obstacles, crowded: bool) -> Option<Candidate> {
+fn best_place(
+    label: &Label,
+    obstacles: &Obstacles,
+    (crowded, is_slide): (bool, bool),
+) -> Option<Candidate> {
     let mut candidates = candidates(label);
     let may_go = crowded && label.optional;
     if may_go {
         candidates.retain(|of| of.leader.is_none());
     }
+    // within the lines of its area it stands nearer to them
+    let air = if label.anywhere { 1.5 } else { 3.0 };
     let free = |of: &&Candidate| {
-        label.within.holds(of.frame) && obstacles.covered(of) == 0.0 && obstacles.crossings(of) == 0
+        label.within.holds(of.frame)
+            && obstacles.covered(of, label.size) == 0.0
+            && obstacles.crossings(of, air) == 0
+            && obstacles.leader_crossings(of) == 0
     };
     if let Some(place) = candidates.iter().position(|of| free(&of)) {
         return candidates.into_iter().nth(place);
@@ -114,11 +134,18 @@ fn best_place(label: &Label, obstacles: &Obstacles, crowded: bool) -> Option<Can
         } else {
             1e6
         };
-        outside + 1e3 * obstacles.covered(of) + 20.0 * obstacles.crossings(of) as f64 + of.cost
+        outside
+            + 1e3 * obstacles.covered(of, label.size)
+            + 40.0 * obstacles.crossings(of, air) as f64
+            + 5.0 * obstacles.leader_crossings(of) as f64
+            + of.cost
     };
     let troubles: Vec<f64> = candidates.iter().map(trouble).collect();
     let best = (0..troubles.len()).min_by(|&a, &b| troubles[a].total_cmp(&troubles[b]))?;
-    candidates.into_iter().nth(best)
+    let place = candidates.into_iter().nth(best)?;
+    // on a slide, which has little room, a name whose leader runs across the drawing would be read as another's
+    let is_lost = is_slide && label.optional && LOST < obstacles.leader_crossings(&place);
+    (!is_lost).then_some(place)
 }
 
 /// The places around a point, the best first.
@@ -127,8 +154,10 @@ fn candidates(label: &Label) -> Vec<Candidate> {
     let letters = whole(label).frame(Anchor::Start, DVec2::ZERO, size);
     let half = 0.5 * letters.size();
     if label.anywhere {
-        // off the area's edges
-        return places_in(label.within.wider(-0.25 * size), half);
+        // off the area's edges, or near them where something large leaves no more room
+        let margins = [0.25, 0.08].into_iter();
+        let places = margins.flat_map(|of| places_in(label.within.wider(-of * size), half));
+        return places.collect();
     }
     let towards = label.towards.try_normalize().unwrap_or(DVec2::NEG_Y);
     let mut found = Vec::new();
@@ -139,27 +168,43 @@ fn candidates(label: &Label) -> Vec<Candidate> {
             let turn = f64::from(direction) / f64::from(DIRECTIONS) * TAU;
             let along = towards.rotate(at_angle(turn));
             let middle = label.of + (distance + touching(half, along)) * along;
-            let frame = Frame {
-                min: middle - half,
-                max: middle + half,
-            };
-            let nearest = frame.nearest(label.of);
-            let is_far = 1.3 * size < nearest.distance(label.of) && !holds(&label.named, frame);
-            let leader = is_far.then(|| {
-                let back = (label.of - nearest).normalize_or_zero();
-                [label.of - 0.35 * size * back, nearest + 0.15 * size * back]
-            });
-            // half a turn is as bad as three rings
-            let turned = turn.min(TAU - turn) / TAU * 6.0;
-            found.push(Candidate {
-                frame,
-                leader,
-                cost: f64::from(ring) + turned,
-            });
+            found.push(place_at(label, middle, half, (ring, turn)));
+            // with a corner in that direction: a wide label then begins or ends beside its point
+            let middle = label.of + distance * along + half * along.signum();
+            let mut place = place_at(label, middle, half, (ring, turn));
+            place.cost += CORNER;
+            found.push(place);
         }
     }
     found.sort_by(|a, b| a.cost.total_cmp(&b.cost));
     found
+}
+
+/// A label around a point on a ring, turned by an angle from where it asks to be.
+fn place_at(label: &Label, middle: DVec2, half: DVec2, (ring, turn): (u32, f64)) -> Candidate {
+    let size = label.size;
+    let frame = Frame {
+        min: middle - half,
+        max: middle + half,
+    };
+    // what comes later is not there yet: a leader must not end where nothing stands
+    let first = Frame {
+        min: frame.min,
+        max: DVec2::new(frame.min.x + label.text.width() * size, frame.max.y),
+    };
+    let nearest = first.nearest(label.of);
+    let is_far = 1.3 * size < nearest.distance(label.of) && !holds(&label.named, frame);
+    let leader = is_far.then(|| {
+        let back = (label.of - nearest).normalize_or_zero();
+        [label.of - 0.35 * size * back, nearest + 0.15 * size * back]
+    });
+    // half a turn is as bad as three rings
+    let turned = turn.min(TAU - turn) / TAU * 6.0;
+    Candidate {
+        frame,
+        leader,
+        cost: f64::from(ring) + turned,
+    }
 }
 
 /// The places in an area for a rectangle of that half size: its corners, then those between them, from the upper
@@ -215,6 +260,7 @@ impl Obstacles {
     fn of(sheet: &Sheet) -> Self {
         let mut obstacles = Self {
             lines: Buckets::new(sheet.size),
+            dot: DOT * sheet.letters,
             frames: sheet.words.iter().map(Words::frame).collect(),
         };
         for mark in &sheet.marks {
@@ -256,6 +302,14 @@ impl Obstacles {
                 radii,
                 turn,
             } => {
+                // a dot is as much in the way as the two lines of a cross
+                if radii.max_element() < self.dot {
+                    let DVec2 { x, y } = *radii;
+                    for arm in [DVec2::new(x, y), DVec2::new(x, -y)] {
+                        self.lines.add([*center - arm, *center + arm]);
+                    }
+                    return;
+                }
                 /// With this number of straight pieces it is within a hundredth of its radius.
                 const PIECES: u32 = 24;
                 let rotation = at_angle(turn.to_radians());
@@ -270,11 +324,9 @@ impl Obstacles {
         }
     }
 
-    /// How much of other words a label would cover.
-    fn covered(&self, of: &Candidate) -> f64 {
-        /// Between words.
-        const AIR: f64 = 2.0;
-        let frame = of.frame.wider(AIR);
+    /// How much of other words a label with letters of this size would cover.
+    fn covered(&self, of: &Candidate, size: f64) -> f64 {
+        let frame = of.frame.wider_by(AIR * size);
         let covered: f64 = self
             .frames
             .iter()
@@ -285,19 +337,20 @@ impl Obstacles {
         covered + self.frames.iter().filter(by_leader).count() as f64
     }
 
-    /// How many lines a label would cross.
-    fn crossings(&self, of: &Candidate) -> usize {
-        /// Between words and a line.
-        const AIR: f64 = 1.5;
-        let frame = of.frame.wider(AIR);
-        self.lines.crossing(frame)
+    /// How many lines a label would cross, or come as near to as this.
+    fn crossings(&self, of: &Candidate, air: f64) -> usize {
+        self.lines.crossing(of.frame.wider(air))
+    }
+
+    /// How many lines its leader would cross.
+    fn leader_crossings(&self, of: &Candidate) -> usize {
+        of.leader.map_or(0, |line| self.lines.crossing_line(line))
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::figure::sheet::Width;
 
     fn sheet() -> Sheet {
         Sheet::new(Width::Book, 400.0)

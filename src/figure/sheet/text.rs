@@ -91,6 +91,8 @@ impl Text {
         /// From the line up to the top of the tallest letter, and down to the end of the longest.
         const UP: f64 = 0.78;
         const DOWN: f64 = 0.24;
+        // digits end on the line
+        let down = if self.is_digits() { 0.02 } else { DOWN };
         let width = self.width() * size;
         let left = match anchor {
             Anchor::Start => place.x,
@@ -103,8 +105,13 @@ impl Text {
         };
         Frame {
             min: DVec2::new(left, place.y - (reach(UP, -1.0) - MIDDLE) * size),
-            max: DVec2::new(left + width, place.y + (reach(DOWN, 1.0) + MIDDLE) * size),
+            max: DVec2::new(left + width, place.y + (reach(down, 1.0) + MIDDLE) * size),
         }
+    }
+
+    fn is_digits(&self) -> bool {
+        let letters = self.runs.iter().map(|run| run.letters.as_str());
+        letters.flat_map(str::chars).all(|of| of.is_ascii_digit())
     }
 
     /// In lines that are no wider than that, in sizes of its letters: broken at blanks. A word that is wider than a line stands

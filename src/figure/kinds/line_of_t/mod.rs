@@ -153,7 +153,9 @@ fn labels(
             (false, name) => name.into(),
         };
         sheet.at(argument.of(stop), |sheet| {
-            sheet.label(space.frame, place, DVec2::NEG_Y, text);
+            // to the right of the hit is the object
+            let aside = if stop.place == Place::Hit { -0.4 } else { 0.0 };
+            sheet.label(space.frame, place, DVec2::new(aside, -1.0), text);
         });
     }
     sheet.at(argument.direction, |sheet| {

@@ -18,7 +18,7 @@ fn scale_height(sheet: &Sheet) -> f64 {
 
 /// The bracket, two lines of words, and air.
 fn brackets_height(sheet: &Sheet) -> f64 {
-    2.0 * sheet.line_height() + 1.3 * sheet.letters
+    2.0 * sheet.line_height() + 1.6 * sheet.letters
 }
 
 /// How high all that is.
@@ -36,7 +36,7 @@ impl Rows {
     fn in_frame(sheet: &Sheet, below: Frame) -> Self {
         let first = below.min.y + 0.8 * sheet.letters;
         Self {
-            brackets: first + 1.9 * sheet.letters,
+            brackets: first + 2.2 * sheet.letters,
             scales: [first, first + scale_height(sheet) + brackets_height(sheet)],
         }
     }
@@ -101,7 +101,7 @@ fn parts(sheet: &mut Sheet, space: &Space, y: f64, stops: &[Stop], argument: &Ar
         ([x(window), right], "beyond the window", "t > 1"),
     ];
     sheet.at(argument.ray, |sheet| {
-        let up = DVec2::new(0.0, 5.0 * sheet.unit());
+        let up = DVec2::new(0.0, 4.0 * sheet.unit());
         for ([from, to], name, which) in parts {
             let [left, right] = [from, to].map(|x| DVec2::new(x, y));
             sheet.path(Look::THIN, vec![left - up, left, right, right - up]);

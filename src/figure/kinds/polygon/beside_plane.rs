@@ -69,7 +69,14 @@ pub(super) fn draw(
         outline::rim(sheet, &space, &rim, Look::OBJECT);
         let tip = place(middle + normal);
         sheet.arrow(Look::THIN, place(middle), tip);
-        sheet.label(drawing, tip, tip - place(middle), formula("(A, B, C)"));
+        // beside it: beyond its tip is the ray
+        let beside = DVec2::new(-1.0, -0.3);
+        sheet.label(
+            drawing,
+            place(middle).midpoint(tip),
+            beside,
+            formula("(A, B, C)"),
+        );
         right_angle::draw(sheet, &space, middle, [normal, ray.direction]);
         sheet.at(starts, |sheet| {
             depth::arrow(

@@ -3,9 +3,9 @@
 use glam::{DVec2, DVec3};
 
 use crate::figure::kinds::rays::words;
-use crate::figure::sheet::Sheet;
 use crate::figure::sheet::look::Look;
 use crate::figure::sheet::stage::StageId;
+use crate::figure::sheet::{Sheet, Width};
 use crate::figure::spec::Layer;
 use crate::figure::subject::Figure;
 use crate::figure::view::Space;
@@ -99,6 +99,11 @@ pub(super) fn draw(
     };
     let across = upwards(along.perp());
     let text = words::of_purpose(start.purpose);
+    // two of them are often in one corner of a small slide
+    let text = match (sheet.width, start.purpose) {
+        (Width::Slide, Purpose::Reflected | Purpose::Refracted) => text.trim_end_matches(" ray"),
+        _ => text,
+    };
     name(sheet, leaves_at, from.lerp(to, 0.4), across, text);
     match (start.purpose, end.verdict) {
         (Purpose::Shadow, RayVerdict::Blocked) => {
