@@ -56,6 +56,7 @@ fn a_new_course_uses_each_directive_and_builds_at_once() {
             "book.toml",
             "lessons",
             "map.json",
+            "scroll.js",
             "src",
             "style.css"
         ]
@@ -147,6 +148,8 @@ fn without_its_feature_the_command_tells_how_to_build_a_book() {
 mod with_course {
     use super::*;
 
+    use raystep::book::PrintPage;
+
     #[test]
     fn the_command_builds_the_same_pages_as_mdbook() {
         let (folder, dir) = course();
@@ -163,9 +166,16 @@ mod with_course {
         let lines = told(&built);
         assert_eq!(lines.lines().count(), 1, "{lines}");
         assert!(lines.starts_with("note: the book is in "), "{lines}");
-        for page in ["index.html", "ball.html", "print.html"] {
-            let read = |folder: &Path| fs::read_to_string(folder.join(page)).unwrap();
-            assert_eq!(read(&out), read(&dir.join("book")), "{page}");
+        let read = |folder: &Path, file: &str| fs::read_to_string(folder.join(file)).unwrap();
+        for page in ["index.html", "ball.html"] {
+            assert_eq!(read(&out, page), read(&dir.join("book"), page), "{page}");
+        }
+        // the page for print alone is lighter, with its drawings beside it
+        let light = PrintPage::of(&read(&dir.join("book"), "print.html"));
+        assert_eq!(read(&out, "print.html"), light.html);
+        assert!(!light.drawings.is_empty());
+        for (file, drawing) in &light.drawings {
+            assert_eq!(read(&out, file), *drawing, "{file}");
         }
         assert_eq!(names(folder.path()), ["my course", "out"]);
         // an older build is replaced

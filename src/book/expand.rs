@@ -10,6 +10,7 @@ use crate::book::costs::table;
 use crate::book::directive::Directive;
 use crate::book::formula::in_latex;
 use crate::book::html::{one_line, prose, with_indices};
+use crate::book::inline_code::code as code_of;
 use crate::book::map::map;
 use crate::book::mistakes;
 use crate::book::places::{Places, figure_id, question_id};
@@ -320,13 +321,10 @@ impl<'a> Expander<'a> {
         let lessons = lessons.map_or(String::new(), |lessons| {
             format!(" --lessons {}", for_shell(lessons))
         });
-        let command = escaped(&format!("{command}{lessons}"));
+        let command = code_of(&format!("{command}{lessons}"));
         match words {
-            "" => format!("<code>{command}</code>"),
-            _ => {
-                let words = with_indices(&escaped(words));
-                format!("{words} <code>{command}</code>")
-            }
+            "" => command,
+            _ => format!("{} {command}", with_indices(&escaped(words))),
         }
     }
 

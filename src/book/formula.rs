@@ -189,7 +189,7 @@ pub(super) fn mathml(latex: &str, is: Is) -> Result<String, String> {
 }
 
 /// HTML in whose text no character is a mark of Markdown or of mdBook, on one line.
-fn without_marks(html: &str) -> String {
+pub(super) fn without_marks(html: &str) -> String {
     let mut safe = String::with_capacity(html.len());
     let (mut in_tag, mut in_reference) = (false, false);
     for c in html.chars() {

@@ -1,6 +1,7 @@
 //! `{{#raystep-mistakes}}`: the mistakes that the exercises recognise, each with what it does, what it spoils, and where it is
 //! found. And what stands below the picture of a mistake: its step, its exercises, its questions.
 
+use crate::book::inline_code::code;
 use crate::book::places::{Places, link, question_id};
 use crate::book::run::for_shell;
 use crate::explain::render::escaped;
@@ -57,11 +58,9 @@ pub(super) fn leads(
 ) -> String {
     let [x, y] = mistake.pixel;
     let step = format!("raystep step {} {x},{y}", for_shell(scene));
-    let mut all = vec![format!("Step: <code>{}</code>", escaped(&step))];
+    let mut all = vec![format!("Step: {}", code(&step))];
     let known = abouts().filter(|about| about.mistakes.contains(&mistake.name.as_str()));
-    let ids: Vec<String> = known
-        .map(|about| format!("<code>{}</code>", escaped(&about.id())))
-        .collect();
+    let ids: Vec<String> = known.map(|about| code(&about.id())).collect();
     if !ids.is_empty() {
         all.push(format!("Exercise: {}", ids.join(", ")));
     }
@@ -93,7 +92,7 @@ pub(super) fn leads(
     if !links.is_empty() {
         all.push(format!("Question: {}", links.join(", ")));
     }
-    all.join(". ")
+    all.join(". ") + "."
 }
 
 /// Is the mistake one of the wrong choices or numbers of a question?

@@ -10,8 +10,10 @@ mod error;
 mod expand;
 mod formula;
 mod html;
+mod inline_code;
 mod map;
 mod mistakes;
+mod paper;
 mod places;
 pub(crate) mod preprocessor;
 mod project;
@@ -25,6 +27,7 @@ mod words;
 mod worked;
 
 pub use error::{BookError, BookMistake};
+pub use paper::PrintPage;
 pub use preprocessor::{BookOptions, Preprocessed};
 pub use project::Project;
 pub use run::{Commands, NoCommands, Ran};

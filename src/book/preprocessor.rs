@@ -8,11 +8,13 @@ use serde::Deserialize;
 
 use crate::book::directive::{Directive, directives};
 use crate::book::expand::{Expander, LESSONS};
-use crate::book::formula::{Formula, formulas, latex, mathml};
+use crate::book::formula::{Formula, Is, formulas, latex, mathml};
+use crate::book::inline_code::inline_code;
 use crate::book::places::Places;
 use crate::book::protocol::{self, Book, Context, MDBOOK_VERSION};
 use crate::book::question::names as question_names;
 use crate::book::{BookError, BookMistake, Commands, Project};
+use crate::explain::render::whole;
 use crate::files::Folder;
 use crate::lesson::Library;
 use crate::scene::LARGEST_FILE;
@@ -130,7 +132,7 @@ fn follow(book: &mut Book, expander: &mut Option<Expander>) -> Vec<BookMistake> 
         let mut followed = String::with_capacity(content.len());
         let mut copied = 0;
         for piece in pieces(content) {
-            let range = piece.range();
+            let range = piece.range(content);
             followed.push_str(&content[copied..range.start]);
             copied = range.end;
             match piece.follow(content, expander) {
@@ -149,11 +151,16 @@ fn follow(book: &mut Book, expander: &mut Option<Expander>) -> Vec<BookMistake> 
     mistakes
 }
 
+/// Marks that may follow a formula, each a byte long.
+const MARKS: [char; 7] = ['.', ',', ';', ':', '!', '?', ')'];
+
 /// What takes another shape in a chapter.
 enum Piece {
     Directive(Directive),
     /// A formula and the directives in it.
     Formula(Formula, Vec<Directive>),
+    /// Inline code, and what comes in its place.
+    Code(Range<usize>, String),
 }
 
 /// What is wrong with a piece, and where.
@@ -178,14 +185,30 @@ fn pieces(content: &str) -> Vec<Piece> {
         pieces.push(Piece::Formula(formula, inside));
     }
     pieces.extend(all.map(Piece::Directive));
+    for (range, html) in inline_code(content) {
+        let meets = |piece: &Piece| {
+            let other = piece.range(content);
+            other.start < range.end && range.start < other.end
+        };
+        if !pieces.iter().any(meets) {
+            pieces.push(Piece::Code(range, html));
+        }
+    }
+    pieces.sort_by_key(|piece| piece.range(content).start);
     pieces
 }
 
 impl Piece {
-    fn range(&self) -> Range<usize> {
+    /// Where it stands; with a formula the mark that ends its sentence, so that both stay on one line.
+    fn range(&self, content: &str) -> Range<usize> {
         match self {
             Self::Directive(directive) => directive.range.clone(),
-            Self::Formula(formula, _) => formula.range.clone(),
+            Self::Code(range, _) => range.clone(),
+            Self::Formula(formula, _) => {
+                let Range { start, end } = formula.range;
+                let has_mark = formula.is == Is::Inline && content[end..].starts_with(MARKS);
+                start..end + usize::from(has_mark)
+            }
         }
     }
 
@@ -196,6 +219,7 @@ impl Piece {
             move |what| Fault { at, what }
         };
         match (self, expander) {
+            (Self::Code(_, html), _) => Ok(html.clone()),
             (Self::Directive(directive), Some(expander)) => {
                 let text = expander.expand(directive);
                 text.map_err(fault(&directive.range))
@@ -216,7 +240,12 @@ impl Piece {
                 filled.push_str(&content[copied..formula.range.end]);
                 let before = &content[..formula.range.start];
                 let formula_latex = latex(before, &filled, formula.is);
-                mathml(&formula_latex, formula.is).map_err(fault(&formula.range))
+                let html = mathml(&formula_latex, formula.is).map_err(fault(&formula.range))?;
+                let mark = &content[formula.range.end..self.range(content).end];
+                Ok(match mark {
+                    "" => html,
+                    _ => whole(&format!("{html}{mark}")),
+                })
             }
         }
     }

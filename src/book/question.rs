@@ -5,6 +5,7 @@ use std::collections::HashMap;
 use std::fmt::Write;
 
 use crate::book::html::prose;
+use crate::book::inline_code::code;
 use crate::book::places::{Places, answer_id, figure_id, link, question_id};
 use crate::book::run::for_shell;
 use crate::book::same_trace::place_of;
@@ -105,8 +106,8 @@ impl<'a> Questions<'a> {
         let scene = for_shell(&format!("{lessons}/{}/{}", place.lesson, place.scene));
         let command = format!("raystep step {scene} {x},{y} --at {}", place.step);
         Ok(format!(
-            "Look at <span class=\"raystep-look\">the step</span>: <code>{}</code>",
-            escaped(&command)
+            "Look at <span class=\"raystep-look\">the step</span>: {}",
+            code(&command)
         ))
     }
 

@@ -66,10 +66,21 @@ pub(super) fn run(
     let shown = excerpt(&ran.out, &asked)?;
     let command: Vec<String> = asked.words.iter().map(|word| for_shell(word)).collect();
     let text = format!("$ raystep {}\n{shown}", command.join(" "));
+    let columns = if has_columns(&shown) {
+        " raystep-columns"
+    } else {
+        ""
+    };
     Ok(format!(
-        "<pre class=\"raystep-run\"><code class=\"language-console\">{}</code></pre>",
+        "<pre class=\"raystep-run{columns}\"><code class=\"language-console\">{}</code></pre>",
         escaped(text.trim_end())
     ))
+}
+
+/// Has a text columns? Then its lines are not broken: two lines or more have a gap between words.
+fn has_columns(text: &str) -> bool {
+    let has_gap = |line: &&str| line.trim().contains("  ");
+    1 < text.lines().filter(has_gap).count()
 }
 
 /// Reads the options, which stand before the verb.

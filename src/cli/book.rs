@@ -45,17 +45,19 @@ use with_mdbook::build;
 mod with_mdbook {
     use std::env;
     use std::fmt::{Debug, Write};
+    use std::fs;
     use std::path::Path;
 
     use mdbook_driver::MDBook;
     use mdbook_driver::config::Config;
+    use raystep::book::PrintPage;
     use tracing::field::{Field, Visit};
     use tracing::span::{Attributes, Id, Record};
     use tracing::{Event, Level, Metadata, Subscriber};
 
     use crate::cli::Error;
     use crate::cli::notes::note;
-    use crate::cli::output_folder::OutputFolder;
+    use crate::cli::output_folder::{self, OutputFolder};
 
     /// Builds the pages of a book into its build folder, or into another one.
     pub(super) fn build(root: &Path, output: Option<&Path>) -> Result<(), Error> {
@@ -86,6 +88,7 @@ mod with_mdbook {
             what: format!("{error:#}"),
             fix: "mend this, and build the book again; nothing was written".into(),
         })?;
+        for_paper(&folder.path())?;
         folder.finish()?;
         note(&format!(
             "the book is in {}: open {}",
@@ -93,6 +96,27 @@ mod with_mdbook {
             target.join("index.html").display()
         ));
         Ok(())
+    }
+
+    /// The page with all chapters, where the book has one, is made lighter: its drawings become files.
+    fn for_paper(folder: &Path) -> Result<(), Error> {
+        let page = folder.join("print.html");
+        if !page.is_file() {
+            return Ok(());
+        }
+        let failed = |file: &Path| {
+            let file = file.to_path_buf();
+            move |error| output_folder::failed(&file, error)
+        };
+        let light = PrintPage::of(&fs::read_to_string(&page).map_err(failed(&page))?);
+        for (path, drawing) in &light.drawings {
+            let file = folder.join(path);
+            if let Some(parent) = file.parent() {
+                fs::create_dir_all(parent).map_err(failed(parent))?;
+            }
+            fs::write(&file, drawing).map_err(failed(&file))?;
+        }
+        fs::write(&page, light.html).map_err(failed(&page))
     }
 
     /// Is this an older build of a book, and nothing else? mdBook writes both files into each.

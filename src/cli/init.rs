@@ -6,7 +6,7 @@ use crate::cli::output::Output;
 use crate::cli::output_folder::OutputFolder;
 
 /// All files of a new course. The chapter uses each directive once.
-const FILES: [(&str, &str); 10] = [
+const FILES: [(&str, &str); 11] = [
     (
         ".github/workflows/pages.yml",
         include_str!("init/pages.yml"),
@@ -23,6 +23,7 @@ const FILES: [(&str, &str); 10] = [
         include_str!("init/scene.json"),
     ),
     ("map.json", include_str!("init/map.json")),
+    ("scroll.js", include_str!("../../book/scroll.js")),
     ("src/SUMMARY.md", include_str!("init/SUMMARY.md")),
     ("src/ball.md", include_str!("init/ball.md")),
     ("style.css", include_str!("../../book/style.css")),

@@ -90,7 +90,7 @@ impl OutputFolder {
     }
 }
 
-fn failed(path: &Path, source: io::Error) -> Error {
+pub(crate) fn failed(path: &Path, source: io::Error) -> Error {
     Error::Write {
         file: path.display().to_string(),
         source,

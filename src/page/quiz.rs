@@ -7,7 +7,7 @@ use std::fmt::Write;
 
 use serde::Serialize;
 
-use crate::explain::render::escaped;
+use crate::explain::render::{escaped, whole_words};
 use crate::page::json::inline_json;
 use crate::page::steps::{LineFace, TracePlace};
 
@@ -62,16 +62,20 @@ pub fn quiz(quiz: &Quiz) -> String {
         "<div class=\"raystep-quiz\" id=\"{}\" role=\"group\" aria-label=\"Question {}\"><p class=\"raystep-question\">{}</p>",
         quiz.id,
         escaped(&quiz.data.name),
-        escaped(quiz.text)
+        whole_words(&escaped(quiz.text))
     );
     for line in quiz.lines {
         // writing into a String does not fail
-        let _ = write!(html, "<div class=\"raystep-line\">{}</div>", escaped(line));
+        let _ = write!(
+            html,
+            "<div class=\"raystep-line\">{}</div>",
+            whole_words(&escaped(line))
+        );
     }
     if !quiz.choices.is_empty() {
         html.push_str("<ol type=\"a\">");
         for choice in &quiz.choices {
-            let _ = write!(html, "<li>{}</li>", escaped(choice));
+            let _ = write!(html, "<li>{}</li>", whole_words(&escaped(choice)));
         }
         html.push_str("</ol>");
     }
@@ -91,7 +95,7 @@ pub fn told(quiz: &Quiz) -> String {
         escaped(&quiz.data.answer)
     );
     for reason in quiz.reasons {
-        let _ = write!(html, "<li>{}</li>", escaped(reason));
+        let _ = write!(html, "<li>{}</li>", whole_words(&escaped(reason)));
     }
     html.push_str("</ul>");
     for line in &quiz.working {
@@ -101,7 +105,7 @@ pub fn told(quiz: &Quiz) -> String {
             "<div class=\"raystep-line {}{gap}\" style=\"--indent: {}\">{}</div>",
             line.tone,
             line.indent,
-            escaped(&line.text)
+            whole_words(&escaped(&line.text))
         );
     }
     let _ = write!(html, "<p>{}</p>", quiz.look);

@@ -7,7 +7,7 @@ use std::fmt::Write;
 
 use serde::Serialize;
 
-use crate::explain::render::escaped;
+use crate::explain::render::{escaped, whole_words};
 use crate::page::json::inline_json;
 use crate::page::steps::{PixelSteps, StepFace, TracePlace};
 
@@ -76,12 +76,12 @@ fn item(step: &StepFace) -> String {
             "<div class=\"raystep-line {}{gap}\" style=\"--indent: {}\">{}</div>",
             line.tone,
             line.indent,
-            escaped(&line.text)
+            whole_words(&escaped(&line.text))
         );
     }
     html.push_str("<div class=\"raystep-facts\">");
     for fact in &step.facts {
-        let _ = write!(html, "<div>{}</div>", escaped(fact));
+        let _ = write!(html, "<div>{}</div>", whole_words(&escaped(fact)));
     }
     html.push_str("</div></div></li>");
     html

@@ -37,7 +37,7 @@ pub fn html(page: &Page, hint: Hint) -> String {
         }
         html.push_str(&"  ".repeat(line.indent));
         html.push_str(&opening(line));
-        html.push_str(&escaped(&line.text));
+        html.push_str(&whole_words(&escaped(&line.text)));
         html.push_str(&escaped(&hint_of(line, hint)));
         html.push_str("</span>");
     }
@@ -105,9 +105,40 @@ pub(crate) fn escaped(text: &str) -> String {
     html
 }
 
+/// HTML in which a browser breaks no line.
+pub(crate) fn whole(html: &str) -> String {
+    format!("<span style=\"white-space: nowrap\">{html}</span>")
+}
+
+/// Escaped text whose words with a hyphen stay whole: a browser would break `--only`, `1e-9` and `->` behind it.
+pub(crate) fn whole_words(text: &str) -> String {
+    /// A longer word may be broken: on a phone a line has few letters more.
+    const LONGEST: usize = 28;
+    let mut out = String::with_capacity(text.len());
+    for piece in text.split_inclusive(char::is_whitespace) {
+        let word = piece.trim_end();
+        if word.contains('-') && word.len() <= LONGEST {
+            out.push_str(&whole(word));
+            out.push_str(&piece[word.len()..]);
+        } else {
+            out.push_str(piece);
+        }
+    }
+    out
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn words_with_a_hyphen_stay_whole_and_long_ones_do_not() {
+        let long = "lessons/07-reflection-refraction/scene.json";
+        let html = whole_words(&format!("step --at 5 {long} 1e-9·max"));
+        let [at, number] = ["--at", "1e-9·max"].map(whole);
+        assert_eq!(html, format!("step {at} 5 {long} {number}"));
+        assert_eq!(whole_words("no such word\n"), "no such word\n");
+    }
 
     /// The relative luminance of a colour `#rrggbb` (WCAG 2.2).
     fn luminance(colour: &str) -> f64 {

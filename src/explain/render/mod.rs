@@ -9,8 +9,10 @@ mod markdown;
 mod plain;
 
 pub use ansi::ansi;
-pub(crate) use html::escaped;
+#[cfg(feature = "book")]
+pub(crate) use html::whole;
 pub use html::{STYLE, html, html_document};
+pub(crate) use html::{escaped, whole_words};
 pub(crate) use markdown::escaped as escaped_markdown;
 pub use markdown::markdown;
 pub use plain::plain;
