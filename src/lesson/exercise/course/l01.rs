@@ -156,6 +156,8 @@ pub static WINDOW_POINT: Task<Place, fn(&Camera, f64, f64) -> DVec3> = Task {
             "no ½",
             "n − 1",
             "aspect twice",
+            "tan of the whole angle",
+            "degrees for radians",
         ],
         see: See::Step {
             scene: "01-pinhole/balls.json",
