@@ -38,13 +38,25 @@ pub(super) const KIND: Kind = Kind {
 const COLUMNS: usize = 3;
 
 /// What lines mean.
-const LEGEND: [(Look, &str); 6] = [
-    (Look::RAY, "ray from the eye"),
-    (Look::SHADOW_RAY, "shadow ray"),
-    (Look::LIGHT_RAY, "light that is seen"),
-    (Look::UNSEEN_LIGHT, "light that is stored"),
-    (Look::WASTED_LIGHT, "light that is wasted"),
-    (Look::CONNECTION, "connecting line"),
+const LEGEND: [(Look, &str, Transport); 6] = [
+    (Look::RAY, "ray from the eye", Transport::Backward),
+    (Look::SHADOW_RAY, "shadow ray", Transport::HybridLight),
+    (Look::LIGHT_RAY, "light that is seen", Transport::Forward),
+    (
+        Look::UNSEEN_LIGHT,
+        "light that is stored",
+        Transport::HybridStored,
+    ),
+    (
+        Look::WASTED_LIGHT,
+        "light that is wasted",
+        Transport::Forward,
+    ),
+    (
+        Look::CONNECTION,
+        "connecting line",
+        Transport::HybridConnected,
+    ),
 ];
 
 fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, FigureError> {
@@ -61,6 +73,7 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
         }
     };
     let mut sentences = Vec::new();
+    let mut stages = Vec::new();
     for (place, traced) in figure.traced.iter().enumerate() {
         let totals = traced.of_pixels.totals.ok_or_else(|| {
             FigureError::new(
@@ -76,6 +89,7 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
         let sentence = format!("{of}: {cast} rays cast, {percent}.");
         let stage = sheet.stage(of, None, sentence.as_str());
         sentences.push(sentence);
+        stages.push((traced.settings.transport, stage));
         let what = match sheet.width {
             Width::Book => "rays cast,",
             Width::Slide => "rays,",
@@ -94,21 +108,26 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
     }
     let rest = figure.traced.len() % COLUMNS;
     if figure.shows(Layer::Legend) && 0 < rest {
-        legend(sheet, panel(figure.traced.len()));
+        legend(sheet, panel(figure.traced.len()), &stages);
     }
     Ok(sentences.join(" "))
 }
 
-/// What the looks mean, a line for each, in the place of a panel.
-fn legend(sheet: &mut Sheet, frame: Frame) {
+/// What the looks mean, a line for each, in the place of a panel; each from the panel on that has it first.
+fn legend(sheet: &mut Sheet, frame: Frame, stages: &[(Transport, StageId)]) {
     let line = sheet.line_height();
     let swatch = 2.0 * sheet.letters;
-    for (row, (look, text)) in (0..).zip(LEGEND) {
+    for (row, (look, text, first)) in (0..).zip(LEGEND) {
         let at = frame.min + DVec2::new(0.0, (f64::from(row) + 1.0) * line);
         let end = at + DVec2::new(swatch, 0.0);
-        sheet.line(look, at, end);
-        let text_at = end + DVec2::new(0.5 * sheet.letters, 0.0);
-        sheet.text(Anchor::Start, text_at, text);
+        let Some((_, stage)) = stages.iter().find(|(of, _)| *of == first) else {
+            continue;
+        };
+        sheet.at(*stage, |sheet| {
+            sheet.line(look, at, end);
+            let text_at = end + DVec2::new(0.5 * sheet.letters, 0.0);
+            sheet.text(Anchor::Start, text_at, text);
+        });
     }
 }
 

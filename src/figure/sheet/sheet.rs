@@ -576,6 +576,8 @@ impl Sheet {
                 } else {
                     let half = DVec2::new(0.0, 0.35 * sheet.letters);
                     let (min, max) = (middle - half, end + half);
+                    // a tint alone is faint, and more so in a dark theme
+                    let look = look.wide(look.width.max(0.75));
                     sheet.rectangle(look, Frame { min, max });
                 }
                 let place = end + DVec2::new(gap, 0.0);

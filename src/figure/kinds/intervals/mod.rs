@@ -50,7 +50,8 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
             (OF_SLAB, "near to far of one slab"),
             (SO_FAR, "max near to min far of all slabs so far"),
         ];
-        sheet.legend(body, &entries)
+        let entries = entries.map(|(look, words)| (Some(argument.slab(0)), look, words));
+        sheet.staged_legend(body, &entries)
     } else {
         body
     };

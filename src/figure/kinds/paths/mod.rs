@@ -23,6 +23,7 @@ use crate::figure::parts::scenery;
 use crate::figure::sheet::canvas::quantity;
 use crate::figure::sheet::frame::Frame;
 use crate::figure::sheet::look::Look;
+use crate::figure::sheet::stage::StageId;
 use crate::figure::sheet::text::{Text, formula};
 use crate::figure::sheet::{Sheet, Width};
 use crate::figure::spec::Layer;
@@ -61,17 +62,28 @@ fn drawn(figure: &Figure) -> &'static [Use] {
     }
 }
 
-/// What the looks of the paths mean.
-fn legend(figure: &Figure, shown: &Shown) -> Vec<(Look, &'static str)> {
+/// What the looks of the paths mean, each from the first path on that has it.
+fn legend(
+    figure: &Figure,
+    shown: &Shown,
+    argument: &Argument,
+) -> Vec<(Option<StageId>, Look, &'static str)> {
     let words = |of: Use| match (of, shown.transport) {
         (Use::Seen, Transport::HybridStored) => "leads to a photon that is summed",
         (Use::Seen, _) => "reaches the eye",
         (Use::Stored, _) => "leads to another photon",
         (Use::Wasted, _) => "does not",
     };
-    let is_there = |of: &Use| shown.paths.iter().any(|(_, uses)| uses.contains(of));
-    let there = drawn(figure).iter().copied().filter(is_there);
-    there.map(|of| (look(of), words(of))).collect()
+    let since = |of: Use| {
+        let mut parts = argument.paths.iter();
+        parts.find_map(|(range, stage)| {
+            let mut paths = shown.paths.get(range.clone())?.iter();
+            paths.any(|(_, uses)| uses.contains(&of)).then_some(*stage)
+        })
+    };
+    let uses = drawn(figure).iter().copied();
+    uses.filter_map(|of| Some((Some(since(of)?), look(of), words(of))))
+        .collect()
 }
 
 fn look(of: Use) -> Look {
@@ -86,10 +98,11 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
     let shown = Shown::of(figure)?;
     let argument = Argument::new(figure, sheet, &shown);
     let body = if figure.shows(Layer::Legend) {
-        let entries = legend(figure, &shown);
-        match argument.paths.first() {
-            Some((_, stage)) => sheet.at(*stage, |sheet| sheet.legend(body, &entries)),
-            None => body,
+        let entries = legend(figure, &shown, &argument);
+        if entries.is_empty() {
+            body
+        } else {
+            sheet.staged_legend(body, &entries)
         }
     } else {
         body

@@ -51,8 +51,8 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
 
     let body = match &argument.rays {
         Some(rays) if figure.shows(Layer::Legend) => {
-            let entries = legend(sheet, &panels);
-            sheet.at(rays.of(0), |sheet| sheet.legend(body, &entries))
+            let entries = legend(sheet, &panels, rays);
+            sheet.staged_legend(body, &entries)
         }
         _ => body,
     };
@@ -79,18 +79,26 @@ fn draw(figure: &Figure, sheet: &mut Sheet, body: Frame) -> Result<String, Figur
     Ok(format!("Volumes around {of}: {}.", sentences.join("; ")))
 }
 
-/// What the looks of rays say, of those that are there.
-fn legend(sheet: &Sheet, panels: &[Panel]) -> Vec<(Look, &'static str)> {
+/// What the looks of rays say, each from the first ray on that has it.
+fn legend(
+    sheet: &Sheet,
+    panels: &[Panel],
+    stages: &Rays,
+) -> Vec<(Option<StageId>, Look, &'static str)> {
     let mut entries = Vec::new();
     for verdict in Verdict::ALL {
-        let mut rays = panels.iter().flat_map(|panel| &panel.rays);
-        if !rays.any(|ray| ray.verdict == verdict) {
+        let first = panels.iter().filter_map(|panel| {
+            let mut rays = panel.rays.iter();
+            rays.position(|ray| ray.verdict == verdict)
+        });
+        let Some(first) = first.min() else {
             continue;
-        }
-        entries.push((verdict.look(), verdict.words()));
+        };
+        entries.push((Some(stages.of(first)), verdict.look(), verdict.words()));
         // the letters of a slide have no room for it
         if verdict == Verdict::Wasted && sheet.width == Width::Book {
-            entries.push((IN_VAIN, "inside the volume, beside the object"));
+            let words = "inside the volume, beside the object";
+            entries.push((Some(stages.wasted), IN_VAIN, words));
         }
     }
     entries
