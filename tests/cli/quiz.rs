@@ -80,10 +80,10 @@ fn a_script_answers_and_what_it_leaves_is_not_asked() {
             .run("lesson quiz 12 --script skip;s;q")
             .well(),
     );
-    assert!(said.contains("\n3 of 12: cells-in-order\n"), "{said}");
-    assert!(!said.contains("4 of 12"), "{said}");
+    assert!(said.contains("\n3 of 13: cells-in-order\n"), "{said}");
+    assert!(!said.contains("4 of 13"), "{said}");
     assert!(
-        said.ends_with("\n0 right, 0 wrong, 2 skipped, 10 not asked\n"),
+        said.ends_with("\n0 right, 0 wrong, 2 skipped, 11 not asked\n"),
         "{said}"
     );
 }
