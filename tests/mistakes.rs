@@ -4,10 +4,14 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use raystep::explain::grouped;
 use raystep::figure::draw;
-use raystep::mistake::{Wrong, mistake, mistakes};
+use raystep::mistake::{Wrong, mistake, mistakes, shown};
 use raystep::scene::SceneFile;
+use raystep::strategy::UniformGrid;
+use raystep::structure::GridOptions;
+use raystep::trace::SpoiltValue;
+use raystep::tracer::render;
 use raystep::tracer::simple::{self, Own};
-use raystep::{FigureName, Rendition, Scene, Width, load};
+use raystep::{Counts, FigureName, Rendition, Scene, Through, Tracer, Transport, Width, load};
 use serde_json::json;
 
 use crate::figures::library;
@@ -162,4 +166,33 @@ fn a_figure_of_the_gallery_counts_the_pixels_that_differ() {
         checked += 1;
     }
     assert!(40 <= checked, "{checked}");
+}
+
+/// Without lights no ray but the nearest hits of the eye rays are searched for, by the simple ray tracer and by the engine.
+#[test]
+fn tests_and_cells_of_a_picture_are_those_that_the_engine_counts() {
+    let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));
+    let mut file = load(&root.join("lessons/gallery/cloud.json")).unwrap();
+    file.scene.lights.clear();
+    let scene = file.build().unwrap();
+    let wrong = mistake("next plane always +1").unwrap();
+    let (_, shown) = shown(&scene, wrong).unwrap();
+    let right = |name: &str| {
+        let mut all = shown.spoilt.iter();
+        all.find(|of| of.quantity == name)
+            .map(|of| of.right.clone())
+    };
+    let grid = UniformGrid::new(&scene, &GridOptions::default()).unwrap();
+    let tracer = Tracer::new(&scene, &grid, Transport::HybridLight);
+    let (_, lines) = render::<_, Counts>(&tracer, Through::Centres, |_| {}).unwrap();
+    let mut counts = Counts::default();
+    for line in &lines {
+        counts.add(line);
+    }
+    let number = |count: u64| Some(SpoiltValue::from(count as f64));
+    assert_eq!(
+        right("object tests to nearest hits"),
+        number(counts.objects_tested())
+    );
+    assert_eq!(right("cells to nearest hits"), number(counts.search.cells));
 }

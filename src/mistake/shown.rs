@@ -71,8 +71,9 @@ pub fn shown(scene: &Scene, mistake: &Mistake) -> Result<(LoggedPicture, LoggedM
             found?
         }
     };
+    // the simple ray tracer looks for the nearest hit of a shadow ray too, so this is more than a strategy with shadow rays takes
     let counts = without.counts().into_iter().zip(unwatched.counts());
-    let names = ["object tests for the picture", "cells for the picture"];
+    let names = ["object tests to nearest hits", "cells to nearest hits"];
     let of_picture = names.into_iter().zip(counts);
     spoilt.extend(of_picture.filter(|(_, (right, wrong))| right != wrong).map(
         |(quantity, (right, wrong))| Spoilt {
