@@ -4,7 +4,7 @@
 
 use crate::book::Project;
 use crate::book::words::whole_number;
-use crate::explain::render::escaped;
+use crate::explain::render::{escaped, whole_words};
 use crate::scene::quoted;
 
 /// What a command printed, and its exit code.
@@ -71,9 +71,10 @@ pub(super) fn run(
     } else {
         ""
     };
+    // a highlighter would take the marks out that keep words whole
     Ok(format!(
-        "<pre class=\"raystep-run{columns}\"><code class=\"language-console\">{}</code></pre>",
-        escaped(text.trim_end())
+        "<pre class=\"raystep-run{columns}\"><code class=\"nohighlight\">{}</code></pre>",
+        whole_words(&escaped(text.trim_end()))
     ))
 }
 
