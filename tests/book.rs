@@ -194,7 +194,9 @@ fn a_book_with_all_four_directives_is_built() {
         one.contains("last <em>item</em>") && one.contains("after <em>the log</em>"),
         "{one}"
     );
-    assert_eq!(one.matches("{{#raystep 01-ball/hit}}").count(), 3, "{one}");
+    assert_eq!(one.matches("{{#raystep 01-ball/hit}}").count(), 2, "{one}");
+    let inline = format!("<code>{{{{#raystep {}</code>", whole("01-ball/hit}}"));
+    assert_eq!(one.matches(&inline).count(), 1, "{one}");
     let item = one.split("<li>").nth(2).unwrap();
     assert!(
         item.contains("<figure") && item.find("</figure>") < item.find("</li>"),
