@@ -422,6 +422,64 @@ mod tests {
     }
 
     #[test]
+    fn two_labels_on_a_line_do_not_read_as_one() {
+        let mut sheet = sheet();
+        let body = sheet.body();
+        for (x, name) in [(300.0, "COP"), (312.0, "n")] {
+            sheet.label(body, DVec2::new(x, 200.0), DVec2::NEG_Y, name);
+        }
+        place_labels(&mut sheet);
+        let [cop, n] = [0, 1].map(|at| sheet.words[at].frame());
+        let is_beside = cop.min.y < n.max.y && n.min.y < cop.max.y;
+        let gap = (n.min.x - cop.max.x).max(cop.min.x - n.max.x);
+        assert!(!is_beside || AIR.x * 14.0 <= gap + 1e-9, "{cop:?} {n:?}");
+    }
+
+    /// Squares around a point, so close that no word stands between them.
+    fn fenced(width: Width) -> (Sheet, DVec2) {
+        let mut sheet = Sheet::new(width, 400.0);
+        let middle = 0.5 * sheet.size;
+        for fence in 1..=20 {
+            let half = DVec2::splat(0.25 * f64::from(fence) * sheet.letters);
+            let (min, max) = (middle - half, middle + half);
+            sheet.rectangle(Look::THIN, Frame { min, max });
+        }
+        (sheet, middle)
+    }
+
+    #[test]
+    fn a_name_whose_leader_runs_across_a_slide_is_left_out() {
+        let names = |width| {
+            let (mut sheet, at) = fenced(width);
+            let body = sheet.body();
+            sheet.name(body, at, DVec2::X, ("A", Vec::new()));
+            place_labels(&mut sheet);
+            sheet.words.len()
+        };
+        assert_eq!([Width::Book, Width::Slide].map(names), [1, 0]);
+    }
+
+    #[test]
+    fn a_leader_ends_at_the_part_of_a_label_that_is_there() {
+        let (mut sheet, at) = fenced(Width::Book);
+        let body = sheet.body();
+        let stages = ["first", "second"].map(|name| sheet.stage(name, None, name));
+        sheet.at(stages[0], |sheet| {
+            let more = (stages[1], ", behind the origin of the ray");
+            sheet.label_that_goes_on(body, at, DVec2::NEG_X, "t = 3", more);
+        });
+        let lines = sheet.marks.len();
+        place_labels(&mut sheet);
+        let Form::Path { points, .. } = &sheet.marks[lines].form else {
+            panic!("{:?}", sheet.marks);
+        };
+        let first = sheet.words[0].frame();
+        let end = points[1];
+        let off = first.nearest(end).distance(end);
+        assert!(off < 0.5 * sheet.letters, "{end} {first:?}");
+    }
+
+    #[test]
     fn a_label_in_a_corner_stays_on_the_sheet() {
         let mut sheet = sheet();
         let body = sheet.body();
