@@ -462,7 +462,7 @@ fn is_leaf(part: &roxmltree::Node) -> bool {
 }
 
 fn text_of(part: roxmltree::Node) -> String {
-    let texts = part.descendants().filter(|node| node.is_text());
+    let texts = part.descendants().filter(roxmltree::Node::is_text);
     texts.filter_map(|node| node.text()).collect()
 }
 

@@ -137,7 +137,7 @@ fn a_document_is_well_formed_and_says_what_each_line_is() {
         .filter(|node| node.has_tag_name("span") && node.has_attribute("class"))
         .collect();
     let text_of = |span: &roxmltree::Node| -> String {
-        let texts = span.descendants().filter(|node| node.is_text());
+        let texts = span.descendants().filter(roxmltree::Node::is_text);
         texts.filter_map(|node| node.text()).collect()
     };
     assert_eq!(spans.len(), page.lines.len());
