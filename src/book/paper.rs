@@ -48,22 +48,24 @@ impl PrintPage {
     fn drawing(&mut self, svg: &str) -> Option<String> {
         let tag = &svg[..svg.find('>')?];
         let id = attribute(tag, "id").filter(|id| id.starts_with("raystep-"))?;
-        let [width, height] = ["width", "height"].map(|name| attribute(tag, name));
+        let (width, height) = (attribute(tag, "width")?, attribute(tag, "height")?);
         let words = ["title", "desc"].map(|name| text_of(svg, name));
         let [title, description] = words.map(Option::unwrap_or_default);
         let path = format!("{FOLDER}/{id}.svg");
         self.drawings.push((path.clone(), with_capitals(svg)));
         Some(format!(
-            "<img id=\"{id}\" src=\"{path}\" alt=\"{title}. {description}\" width=\"{}\" height=\"{}\" \
-             style=\"max-width: 100%; height: auto\">",
-            width?, height?
+            "<img id=\"{id}\" src=\"{path}\" alt=\"{title}. {description}\" width=\"{width}\" height=\"{height}\" \
+             style=\"max-width: 100%; height: auto\">"
         ))
     }
 }
 
 /// An answer that stands in the appendix too becomes the link to it; what stands nowhere else is unfolded.
 fn unfolded(details: &str) -> Option<String> {
-    let Some(link) = details.rfind("<a href=\"#raystep-answer-") else {
+    // what an author folds away may speak of an answer too
+    let is_answer = details.starts_with("<details><summary>Answer</summary>");
+    let link = details.rfind("<a href=\"#raystep-answer-");
+    let Some(link) = link.filter(|_| is_answer) else {
         return Some(details.replacen("<details>", "<details open>", 1));
     };
     let target = details[link..].split('"').nth(1)?;
@@ -145,7 +147,7 @@ mod tests {
             "<style>.site {{}}</style><script>a()</script><main><style>.s {{}}</style><p>1</p>{drawing}\
              <style>.s {{}}</style><svg viewBox=\"0 0 1 1\"></svg>\
              <script>b(\"<svg>\")</script><details><summary>Answer</summary><p>d</p>\
-             <a href=\"#raystep-answer-a-b\">All answers</a></details><details>unfolded</details></main><script>print()</script>"
+             <a href=\"#raystep-answer-a-b\">All answers</a></details><details>see <a href=\"#raystep-answer-a-b\">d</a></details></main><script>print()</script>"
         );
         let light = PrintPage::of(&page);
         assert_eq!(
@@ -154,7 +156,7 @@ mod tests {
              <img id=\"raystep-a-b\" src=\"print/raystep-a-b.svg\" alt=\"A &quot;ball&quot;. The ray &lt; the ball.\" \
              width=\"4\" height=\"3\" style=\"max-width: 100%; height: auto\">\
              <svg viewBox=\"0 0 1 1\"></svg>\
-             <p><a href=\"#raystep-answer-a-b\">Answer</a></p><details open>unfolded</details></main><script>print()</script>"
+             <p><a href=\"#raystep-answer-a-b\">Answer</a></p><details open>see <a href=\"#raystep-answer-a-b\">d</a></details></main><script>print()</script>"
         );
         let [(file, svg)] = light.drawings.as_slice() else {
             panic!("{:?}", light.drawings);
